@@ -1,4 +1,4 @@
-"""A torque that alternates: both directions are solved, and the worse is given."""
+"""Results for a torque that alternates: both directions are solved and the worse one counts."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -14,7 +14,7 @@ from core.precision import AS_TYPED
 
 
 def _reverse(driving: float, reverse: float) -> bool:
-    """Whether the largest force is that of the reverse torque; of equal ones it is not."""
+    """True if the reverse torque has the larger force; of equal forces the driving one counts."""
     return reverse > driving * (1 + AS_TYPED)
 
 
@@ -25,33 +25,22 @@ def worse_position(
     output_torque: float,
     position: Callable[..., Any] = loaded_position,
 ) -> tuple[Any, bool]:
-    """The direction with the larger force at one crank angle.
+    """Loaded position in the direction with the larger force, and True if that is the reverse one.
+
+    The position holds the hardest pressed contacts of both directions, because a smaller force may
+    press harder between smaller radii.
 
     Parameters
     ----------
-    real : Stage
-        The mechanism.
-    crank_angle : float
-        Crank angle, rad.
     output_torque : float
         Size of the torque, N*m, > 0.
     position : callable
-        How a position of it is solved.
-
-    Returns
-    -------
-    position : LoadedPosition
-        Of the worse direction, as `position` gives it; the largest pressure is that of both, as a
-        smaller force between narrower radii may press harder.
-    reverse : bool
-        Whether that is the reverse.
+        Function that solves one position, as `loaded_position` does.
 
     Raises
     ------
-    InvalidInput
-        If an input is out of range.
     ImpossibleMechanism
-        If either direction cannot be; see `Stage.solved`.
+        If either direction cannot be solved; see `Stage.solved`.
     """
     driving, back = (
         position(real=real, crank_angle=crank_angle, output_torque=sign * output_torque)
@@ -65,28 +54,10 @@ def worse_position(
 def worse_curves(
     *, real: Stage, crank_angle: FloatArray, output_torque: float
 ) -> tuple[RealCurves, bool]:
-    """The direction with the larger force at crank angles.
+    """Curves in the direction with the larger force, and True if that is the reverse one.
 
-    Parameters
-    ----------
-    real : Stage
-        The mechanism.
-    crank_angle : array, M
-        Crank angles, rad.
-    output_torque : float
-        Size of the torque, N*m, > 0.
-
-    Returns
-    -------
-    curves : RealCurves
-        Of the worse direction.
-    reverse : bool
-        Whether that is the reverse.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If either direction cannot be; see `Stage.solved`.
+    Crank angles, shape (M,), are in rad. The torque's size is in N*m and positive.
+    `ImpossibleMechanism` is raised if either direction cannot be solved; see `Stage.solved`.
     """
     driving, back = (
         real_curves(real=real, crank_angle=crank_angle, output_torque=sign * output_torque)
@@ -103,27 +74,22 @@ LARGER = {
     "loaded_pairs_max",
     "input_torque_ripple",
 }
-"""Numbers over the turn of which the larger one of both directions is the worse."""
+"""Names of numbers over the turn whose larger value of both directions is the worse one."""
 
 LESS = {"stiffness_min", "loaded_pairs_min"}
-"""The same of the smaller one."""
+"""Names of numbers over the turn whose smaller value of both directions is the worse one."""
 
 
 class WorseTurn:
-    """The worse of both directions over the turn, number by number, by the names of `OverTurn`.
+    """Worse value of both directions over the turn for each number, by the names of `OverTurn`.
 
-    The peak, where it is and its pair are those of the direction with the larger peak. Backlash and
-    lost motion are the same in both.
-
-    Parameters
-    ----------
-    driving, back : OverTurn
-        Both directions.
+    Peak force, its crank angle and its pair are those of the direction with the larger peak.
+    Backlash and lost motion do not depend on the direction.
     """
 
     def __init__(self, driving: OverTurn, back: OverTurn) -> None:
         self.reverse = _reverse(driving.peak_force, back.peak_force)
-        """Whether the peak is that of the reverse torque."""
+        """True if the peak force is that of the reverse torque."""
         self.worse, self.other = (back, driving) if self.reverse else (driving, back)
 
     def __getattr__(self, name: str) -> Any:
@@ -134,24 +100,24 @@ class WorseTurn:
 
     @property
     def max_pressure(self) -> float:
-        """Largest pressure, Pa."""
+        """Largest pressure of both directions, Pa."""
         return max(self.worse.max_pressure, self.other.max_pressure)
 
     @property
     def pair_force(self) -> tuple[tuple[float, ...], ...]:
-        """Largest force of each pair, N, K x N."""
+        """Largest force of each pair in both directions, N, K x N."""
         rows = zip(self.worse.pair_force, self.other.pair_force, strict=True)
         return tuple(tuple(map(max, one, two)) for one, two in rows)
 
     @property
     def accuracy(self) -> Accuracy:
-        """Of the peak force."""
+        """Accuracy of the peak force: larger error and all evaluations of both directions."""
         one, two = self.worse.accuracy, self.other.accuracy
         error = max(one.relative_error, two.relative_error)
         return Accuracy(one.method, error, one.evaluations + two.evaluations)
 
     @property
     def notices(self) -> tuple[Notice, ...]:
-        """Those of either."""
+        """Notices of both directions, one for each code."""
         both = (*self.other.notices, *self.worse.notices)
         return tuple({each.code: each for each in both}.values())

@@ -1,4 +1,17 @@
-"""The law of contact of a pin that wraps: approach over force of any two materials, one curve."""
+"""Contact law of a hole that wraps around its pin (conformal contact): one curve for two materials.
+
+The approach has two parts. `core.conformal.local_approach` is the part beside the contact, and
+`far_approach` is the part by the load as a whole. The hole moves against a circle of radius L
+around it, by Kolosov's functions of a hole in a plane whose rim bears a pressure of one wave. The
+pin's rim moves against the pin's section, by the plane stresses of a disc under a body force, or
+under any load of one wave, that holds this pressure. With E1, v1 of the pin and E2, v2 of the hole,
+both together are, times E* and over the load per length Q,
+
+    E*/pi*((1 + v2)/E2*(1/4 + (3 - 4*v2)/(4 - 4*v2)*ln(L/R)) + (1 + v1)*(1 - 2*v1)/(2*E1)).
+
+The whole approach over the load therefore depends on ``Q/(E* dR)`` alone, dR being the difference
+of the radii: by its logarithm, and smoothly besides.
+"""
 
 import math
 from functools import lru_cache
@@ -13,74 +26,59 @@ from core.hertz import HERTZ_TOLERANCE, ElasticMaterial, effective_modulus, mism
 from core.numerics.inverse import edge
 
 BEND = 0.4
-"""Curves of contacts that wrap are smooth in the width ``sqrt(x/(1 + BEND*x))`` of the load
-``x = Q/(E* dR)``, from none to the largest."""
+"""Curves of conformal contacts are smooth in the width ``sqrt(x/(1 + BEND*x))`` of the load
+``x = Q/(E* dR)``, from no load to the largest."""
 
 
 class Curve(NamedTuple):
-    """What a contact that wraps gives, for all pairs of a design: over the load ``x = Q/(E* dR)``
-    the approach ``Delta/dR = x*(P - 2/pi*ln(width))``, P a polynomial of ``2*width/widest - 1``.
+    """Approach over force of a conformal contact, for all pairs of a design.
+
+    Under the load ``x = Q/(E* dR)`` the approach is ``Delta/dR = x*(P - 2/pi*ln(width))`` with a
+    polynomial P of ``2*width/widest - 1``.
     """
 
     modulus: float  # b*E*, N/m
-    widest: float  # width up to which it is known; beyond it goes on as a straight line
-    powers: tuple[float, ...]  # of the polynomial, from the highest; as many for any law
+    widest: float  # largest known width; beyond it the approach is proportional to the load
+    powers: tuple[float, ...]  # coefficients of P, highest power first; `DEGREE` + 1 for any law
 
 
 class Wrap(NamedTuple):
-    """The largest pressure of contacts that wrap, of all pairs: over Hertz's it is
-    ``P*sqrt(1 + BEND*x)``, P a polynomial as that of `Curve`.
+    """Largest pressure of a conformal contact over Hertz's, for all pairs of a design.
+
+    Under the load ``x = Q/(E* dR)`` the ratio is ``P*sqrt(1 + BEND*x)`` with a polynomial P of
+    ``2*width/widest - 1``.
     """
 
-    modulus: float  # b*E*, N/m; infinite where it is not known: then Hertz's pressure stands
-    since: float  # load from which it governs in the place of Hertz's
-    widest: float  # width up to which it is known; beyond it P stays
-    powers: tuple[float, ...]  # of the polynomial, from the highest
+    modulus: float  # b*E*, N/m; infinite where not known: then Hertz's pressure stands
+    since: float  # load x from which this pressure replaces Hertz's
+    widest: float  # largest known width; beyond it P is constant
+    powers: tuple[float, ...]  # coefficients of P, highest power first
 
 
 FAR = 3.0
-"""Radius of the circle in the satellite, over the hole's, against whose mean displacement the
-approach is counted: a plane has no scale of its own, and the approach depends on it by its
+"""Radius over the hole's of the circle in the satellite against whose mean displacement the
+approach is counted. A plane has no scale of its own: the approach depends on this ratio by its
 logarithm."""
 
 DEGREE = 10
-"""Of the curve's polynomial."""
+"""Degree of the curve's polynomial."""
 
 ERROR = 1e-6
-"""Relative error of the approach that the polynomial leaves, for any two materials."""
+"""Relative error of the approach by the polynomial, for any two materials."""
 
 NO_CURVE = Curve(1.0, 1.0, (0.0,) * (DEGREE + 1))
-"""What stands in its place for other laws."""
+"""Placeholder for laws other than the conformal one."""
 
 NO_WRAP = Wrap(math.inf, math.inf, 1.0, (0.0,) * (DEGREE + 1))
-"""What stands for largest pressures where materials are not known."""
+"""Placeholder where materials are not known: Hertz's pressure stands."""
 
 PRESSURE_ERROR = 3e-6
-"""Relative error of a largest pressure by its polynomial, for any two materials."""
+"""Relative error of the largest pressure by its polynomial, for any two materials."""
 
 
 def far_approach(*, pin: ElasticMaterial, hole: ElasticMaterial, far: float = FAR) -> float:
-    """What the load as a whole moves: the hole against a circle around it, the pin's rim against
-    its section.
-
-    Parameters
-    ----------
-    pin, hole : ElasticMaterial
-        The materials.
-    far : float
-        Radius L of the circle over the hole's.
-
-    Returns
-    -------
-    float
-        ``E*`` times the approach over the load per length, dimensionless.
-
-    Notes
-    -----
-    By Kolosov's functions of a hole in a plane with the pressure of one wave on its rim, and by the
-    plane stresses of a disc under a body force that holds that pressure, or under any load of one
-    wave, ``E*/pi*((1 + v2)/E2*(1/4 + (3 - 4*v2)/(4 - 4*v2)*ln(L/R)) +
-    (1 + v1)*(1 - 2*v1)/(2*E1))``.
+    """Approach by the load as a whole, times ``E*`` over the load per length, dimensionless,
+    counted to a circle of `far` times the hole's radius; the module's docstring has the formula.
     """
     nu, own = hole.poissons_ratio, pin.poissons_ratio
     around = (1 + nu) / hole.youngs_modulus
@@ -90,24 +88,7 @@ def far_approach(*, pin: ElasticMaterial, hole: ElasticMaterial, far: float = FA
 
 
 def conformal_curve(*, contact_length: float, pin: ElasticMaterial, hole: ElasticMaterial) -> Curve:
-    """Approach over force of pins in holes of a design, whatever their radii.
-
-    Parameters
-    ----------
-    contact_length : float
-        Length b of the contact, m.
-    pin, hole : ElasticMaterial
-        The materials.
-
-    Returns
-    -------
-    Curve
-
-    Notes
-    -----
-    ``E*/Q`` times the approach after touching is that of `core.conformal.local_approach` and
-    `far_approach`: of the load ``Q/(E* dR)`` alone, by its logarithm and smooth besides.
-    """
+    """Approach over force of pins in holes of any radii, for a contact length in m."""
     modulus = float(effective_modulus(first=pin, second=hole))
     alpha, beta = map(float, mismatch(first=pin, second=hole))
     widest, powers = _polynomial(alpha, beta, far_approach(pin=pin, hole=hole))
@@ -116,26 +97,15 @@ def conformal_curve(*, contact_length: float, pin: ElasticMaterial, hole: Elasti
 
 @lru_cache(maxsize=256)
 def _polynomial(alpha: float, beta: float, far: float) -> tuple[float, tuple[float, ...]]:
-    """The largest width, and the powers."""
+    """Largest width, and coefficients of the curve's polynomial, highest power first."""
     width, contact = _contacts(alpha, beta)
     given = local_approach(contact=contact, alpha=alpha, beta=beta) + far
     return _widest(alpha, beta), _powers(given + 2 / math.pi * np.log(width))
 
 
 def conformal_wrap(*, contact_length: float, pin: ElasticMaterial, hole: ElasticMaterial) -> Wrap:
-    """Largest pressures of contacts of a design that wrap, whatever their radii.
-
-    Parameters
-    ----------
-    contact_length : float
-        Length b of the contact, m.
-    pin, hole : ElasticMaterial
-        The materials.
-
-    Returns
-    -------
-    Wrap
-        That governs as in `core.hertz`: from `HERTZ_TOLERANCE` above Hertz's pressure on.
+    """Largest pressures of pins in holes of any radii, for a contact length in m. From
+    `HERTZ_TOLERANCE` above Hertz's pressure on these replace it, as in `core.hertz`.
     """
     modulus = float(effective_modulus(first=pin, second=hole))
     found = _pressures(*map(float, mismatch(first=pin, second=hole)))
@@ -144,7 +114,7 @@ def conformal_wrap(*, contact_length: float, pin: ElasticMaterial, hole: Elastic
 
 @lru_cache(maxsize=256)
 def _pressures(alpha: float, beta: float) -> Wrap:
-    """The same of a modulus of 1."""
+    """Largest pressures of conformal contacts with ``b*E* = 1``, by Dundurs' constants."""
     width, contact = _contacts(alpha, beta)
     powers = _powers(contact.pressure * math.sqrt(math.pi) * width)
     wrap = Wrap(1.0, 0.0, _widest(alpha, beta), powers)
@@ -157,19 +127,7 @@ def _pressures(alpha: float, beta: float) -> Wrap:
 
 
 def excess(*, load: float, wrap: Wrap) -> float:
-    """Square of the largest pressure under a load over Hertz's.
-
-    Parameters
-    ----------
-    load : float
-        ``Q/(E* dR)``, >= 0.
-    wrap : Wrap
-        Largest pressures.
-
-    Returns
-    -------
-    float
-    """
+    """Square of the largest pressure over Hertz's, under a load ``Q/(E* dR)`` >= 0."""
     width = math.sqrt(load / (1 + BEND * load))
     place, value = 2 * min(width / wrap.widest, 1.0) - 1, 0.0
     for power in wrap.powers:
@@ -178,12 +136,12 @@ def excess(*, load: float, wrap: Wrap) -> float:
 
 
 def _widest(alpha: float, beta: float) -> float:
-    """Width of the widest contact that is known."""
+    """Width of the widest known contact."""
     return 1 / math.sqrt(max(float(widest_load(alpha=alpha, beta=beta)), 0.0) + BEND)
 
 
 def _contacts(alpha: float, beta: float) -> tuple[FloatArray, ConformalContact]:
-    """Widths at the places of a polynomial, and the contacts."""
+    """Widths at the nodes of the polynomial, and the contacts there."""
     width = _widest(alpha, beta) * (_PLACES + 1) / 2
     parameter = 1 / width**2 - BEND
     return width, conformal_contact(load_parameter=parameter, alpha=alpha, beta=beta)
@@ -193,61 +151,29 @@ _PLACES = np.cos((np.arange(DEGREE + 1) + 0.5) * math.pi / (DEGREE + 1))
 
 
 def _powers(values: FloatArray) -> tuple[float, ...]:
-    """Of the polynomial through values at the places, from the highest."""
+    """Coefficients, highest power first, of the polynomial through values at the nodes."""
     fitted = chebyshev.chebfit(_PLACES, values, DEGREE)
     return tuple(map(float, chebyshev.cheb2poly(fitted)[::-1]))
 
 
 def end(curve: Curve) -> float:
-    """Load ``Q/(E* dR)`` of the widest contact: half of the pin.
-
-    Parameters
-    ----------
-    curve : Curve
-        The curve.
-
-    Returns
-    -------
-    float
-        Infinite where no load makes the contact as wide.
+    """Load ``Q/(E* dR)`` of the widest contact, half of the pin's circumference; infinite where no
+    load makes a contact as wide.
     """
     rest = 1 / curve.widest**2 - BEND
     return 1 / rest if rest > 1e-12 else math.inf
 
 
 def table_of(*, curve: Curve, wrap: Wrap) -> FloatArray:
-    """Constants of contacts that wrap as the engine takes them, see
-    `core.drive.engine.over_width`.
-
-    Parameters
-    ----------
-    curve : Curve
-        Approach over force.
-    wrap : Wrap
-        Largest pressures.
-
-    Returns
-    -------
-    array, shape (6 + 2*n,)
+    """Constants of conformal contacts for the engine, shape (6 + 2*n,) for polynomials of n
+    coefficients; `core.drive.engine.over_width` lists them.
     """
     given = curve.modulus, curve.widest, len(curve.powers), *curve.powers
     return np.array([*given, wrap.modulus, wrap.since, wrap.widest, *wrap.powers])
 
 
 def approach_over_load(*, load: Number, curve: Curve) -> Number:
-    """``Delta/dR`` over the load, as the engine has it.
-
-    Parameters
-    ----------
-    load : float or array
-        ``Q/(E* dR)``, > 0.
-    curve : Curve
-        The curve.
-
-    Returns
-    -------
-    float or array
-    """
+    """Approach ``Delta/dR`` over the load ``Q/(E* dR)`` > 0."""
     width = smaller(sqrt(load / (1 + BEND * load)), curve.widest)
     place, value = 2 * width / curve.widest - 1, 0.0
     for power in curve.powers:

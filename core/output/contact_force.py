@@ -1,20 +1,19 @@
-"""Which pin/hole pairs drive, when, how many together; and the contact force of every pair over the
-turn: the law of load sharing, the exact peak for any force exponent, and its approximation.
+"""Pairs of pin and hole that drive over the turn, and the contact force of each pair.
 
 A pair drives through exactly half of each turn of the wave angle, at known angles (see
-`core.output.mechanism`): the cyclogram is closed form, without sampling or search.
+`core.output.mechanism`). The cyclogram therefore has a closed form and needs no sampling.
 
 The force of a driving pair of pressure angle gamma is
 
     F_jn = F0 * cos(gamma_jn)^v / sum of cos(gamma)^(1 + v) over the driving pairs,   F0 = T/R
 
-(Yanchevskiy and Niekhoroshykh 2021, eq. 10). Exponent v = 1 is eq. (4) of Yanchevsky et al.
-2018, in which the pin radius cancels out; v = 0 is equal sharing, eq. (1) of Zyl.
+(Yanchevskiy and Niekhoroshykh 2021, eq. 10). Exponent v = 1 is eq. (4) of Yanchevsky et al. 2018,
+in which the pin radius cancels out; v = 0 is equal sharing, eq. (1) of Zyl.
 
-At any position the pair with the largest cosine of the pressure angle carries the most. Between
-the angles at which a pair starts or stops driving, or another pair becomes the best placed,
-everything is smooth: there the peak is found exactly, and the largest of these is the peak over
-the turn.
+The pair with the largest cosine of the pressure angle carries the most. Its force is smooth between
+the angles at which a pair starts or stops driving or another pair becomes the best placed. The peak
+within each such segment is found exactly (see `core.output.force_laws`), one-sided values at the
+ends included, and the largest of all is the peak over the turn.
 """
 
 import itertools
@@ -39,7 +38,7 @@ MAX_DRIVING_PHASES = 40_000
 
 
 class DrivingPair(NamedTuple):
-    """When one pair drives."""
+    """Driving phases of one pair."""
 
     satellite: int  # from 1
     pin: int  # from 1
@@ -48,65 +47,53 @@ class DrivingPair(NamedTuple):
 
 
 class CountInterval(NamedTuple):
-    """A range of crank angle with one number of driving pairs."""
+    """Range of crank angle with one number of driving pairs."""
 
     start: float  # crank angle, rad
     end: float  # crank angle, rad
-    pairs: int  # how many drive
+    pairs: int  # number of driving pairs
 
 
 @dataclass(frozen=True, slots=True)
 class Cyclogram:
-    """Which pairs drive, when, and how many together."""
+    """Driving phases of all pairs, and the number of driving pairs, over the crank angle."""
 
     working_phase: float  # crank angle through which a pair drives without a break, rad
-    period: float  # crank angle after which each pair drives again, rad: twice that
-    pattern_period: float  # crank angle after which all repeats with other pairs, rad
-    pairs: tuple[DrivingPair, ...]  # all, satellite by satellite
+    period: float  # crank angle after which each pair drives again, rad: twice `working_phase`
+    pattern_period: float  # crank angle after which the pattern repeats with other pairs, rad
+    pairs: tuple[DrivingPair, ...]  # all pairs, satellite by satellite
     # Number of driving pairs over the range, neighbours with the same number joined.
     driving_count: tuple[CountInterval, ...]
-    min_driving: int  # least number of pairs, over the whole pattern
-    max_driving: int  # largest number
-    mean_driving: float  # over the whole pattern: half of all pairs, always
+    min_driving: int  # least number of driving pairs over the whole pattern
+    max_driving: int  # largest number of driving pairs
+    mean_driving: float  # mean over the whole pattern, always half of all pairs
     dead_centres: tuple[float, ...]  # crank angles in the range, rad; both ends of each dead zone
-    # Ranges in which no pair drives, rad; those of no width are in `dead_centres` only.
+    # Ranges in which no pair drives, rad; ranges of no width are in `dead_centres` only.
     dead_zones: tuple[tuple[float, float], ...]
-    accuracy: Accuracy  # of angles and of the total through which a pair drives, over the range
+    accuracy: Accuracy  # error of angles and of a pair's total driving angle, over the range
 
     @property
     def notices(self) -> tuple[Notice, ...]:
-        """That hardly anything is known, of a range hardly longer than rounding."""
+        """Notice if the range is so short that rounding leaves hardly anything known."""
         return poorly_known(self.accuracy)
 
 
 def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
-    """Cyclogram of the pin/hole pairs over a number of crank revolutions, in closed form.
+    """Cyclogram of the pin/hole pairs over a number of crank turns, in closed form.
 
-    A pair of phase ``theta`` drives while ``psi + theta`` lies between pi and 2*pi, that is
-    through a crank angle of ``pi/(1 + 1/u)`` once in each ``2*pi/(1 + 1/u)``.
+    A pair of phase ``theta`` drives while ``psi + theta`` lies between pi and 2*pi: through a crank
+    angle of ``pi/(1 + 1/u)`` once in each ``2*pi/(1 + 1/u)``. Source: Yanchevskiy and Niekhoroshykh
+    2021, eq. (6); eq. (1) of Yanchevsky et al. 2018 has ``initial_crank_angle = pi``.
 
     Parameters
     ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
     revolutions : float
-        Length of the range, in turns of the crank from 0, > 0. The first and the last driving
-        phase are cut at its ends.
-
-    Returns
-    -------
-    Cyclogram
+        Range in crank turns from 0, > 0; driving phases are cut at its ends.
 
     Raises
     ------
     InvalidInput
-        If `revolutions` is not positive, so small that all is a sliver of rounding, or so large
-        that the range holds more than `MAX_DRIVING_PHASES`.
-
-    Notes
-    -----
-    Source: Yanchevskiy and Niekhoroshykh 2021, eq. (6); Yanchevsky et al. 2018, eq. (1), is the
-    same with ``initial_crank_angle = pi``.
+        If the range is no longer than rounding or holds more than `MAX_DRIVING_PHASES`.
 
     Examples
     --------
@@ -146,7 +133,7 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
         dead_zones=dead_zones,
         accuracy=Accuracy(
             method="closed_form",
-            # the total of a pair has the ends of all its driving phases
+            # The total driving angle of a pair has the errors of all its ends.
             relative_error=ROUNDING * (4 * max(1.0, 1 / shown.waves) + shown.waves)
             + (phases.error + max(dropped, cut_off)) / shown.waves,
             evaluations=pair_count,
@@ -155,7 +142,7 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
 
 
 class _Range:
-    """The range [0, end] of the crank angle, which positions on the wave, in turns, are cut to."""
+    """Range [0, end] of the crank angle, to which wave positions, in turns, are cut."""
 
     __slots__ = ("end", "per_wave", "sliver", "waves")
 
@@ -163,7 +150,7 @@ class _Range:
         self.end = end
         self.per_wave = per_wave
         self.waves = end / per_wave
-        self.sliver = SAME * max(1.0, self.waves)  # of rounding, not shown
+        self.sliver = SAME * max(1.0, self.waves)  # widths up to this are rounding, not shown
 
     def crank_angle(self, position: float) -> float:
         """Crank angle of a wave position, rad."""
@@ -171,9 +158,7 @@ class _Range:
 
 
 def _pairs(phases: WavePhases, shown: _Range) -> tuple[tuple[DrivingPair, ...], float]:
-    """All pairs with their driving phases; and the width of the largest sliver of a phase dropped
-    at an end of the range, in turns.
-    """
+    """All pairs with their driving phases, and the largest width cut off as rounding, in turns."""
     pins, waves, per_wave, sliver = phases.pins, shown.waves, shown.per_wave, shown.sliver
     pairs, dropped = [], 0.0
     for j, phase in enumerate(phases.satellite_phase, 1):
@@ -198,9 +183,7 @@ def _pairs(phases: WavePhases, shown: _Range) -> tuple[tuple[DrivingPair, ...], 
 def _dead(
     zones: Sequence[tuple[float, float]], shown: _Range
 ) -> tuple[tuple[float, ...], tuple[tuple[float, float], ...]]:
-    """Dead centres and dead zones of one turn, repeated and cut to the range, rad; slivers of
-    rounding dropped.
-    """
+    """Dead centres and dead zones of one turn, repeated over the range without rounding, rad."""
     if not zones:
         return (), ()
     cut = []
@@ -214,9 +197,7 @@ def _dead(
 
 
 def _sector_counts(phases: WavePhases) -> list[tuple[float, int]]:
-    """Where each number of driving pairs ends, in turns, over one sector from its first change on;
-    and the number.
-    """
+    """Ends of ranges of one number of driving pairs over one sector, in turns, and the numbers."""
     pins, mean = phases.pins, phases.pins * len(phases.satellite_phase) / 2
     changes = [(position, growth) for position, growth in phases.switching() if growth]
     if not changes:
@@ -232,14 +213,12 @@ def _sector_counts(phases: WavePhases) -> list[tuple[float, int]]:
 def _counts(
     sector_counts: Sequence[tuple[float, int]], sector: float, shown: _Range
 ) -> tuple[tuple[CountInterval, ...], float]:
-    """Counts over the range, neighbours with the same count joined; and the width of the largest
-    sliver dropped, in turns.
-    """
+    """Driving counts over the range, and the largest width left out as rounding, in turns."""
     if len(sector_counts) == 1:
         return (CountInterval(0.0, shown.end, sector_counts[0][1]),), 0.0
     waves, sliver = shown.waves, shown.sliver
     joined: list[CountInterval] = []
-    begun, reached, count, dropped = 0.0, 0.0, -1, 0.0  # of the interval that grows
+    begun, reached, count, dropped = 0.0, 0.0, -1, 0.0  # state of the interval that grows
     for turn in range(-1, math.ceil(waves / sector) + 1):
         for stop, pairs in sector_counts:
             last = stop + turn * sector
@@ -267,48 +246,14 @@ APPROXIMATION_SATELLITES = (1, 2)
 
 
 def reference_force(*, output_torque: float, pin_circle_radius: float) -> float:
-    """Reference force ``F0 = T/R``.
-
-    Parameters
-    ----------
-    output_torque : float
-        Torque T on the output link, N*m.
-    pin_circle_radius : float
-        Radius R of the circle of pin centres, m, > 0.
-
-    Returns
-    -------
-    float
-        Force F0, N.
-
-    Notes
-    -----
-    Source: Yanchevskiy and Niekhoroshykh 2021, eq. (11).
-    """
+    """Reference force ``F0 = T/R``, N (Yanchevskiy and Niekhoroshykh 2021, eq. 11)."""
     check_positive(pin_circle_radius=pin_circle_radius)
     return output_torque / pin_circle_radius
 
 
 def output_torque_from_input(*, input_torque: float, ratio: float, efficiency: float) -> float:
-    """Torque on the output link ``T = T_in*u*eta``.
-
-    Parameters
-    ----------
-    input_torque : float
-        Torque on the crankshaft, N*m.
-    ratio : float
-        Ratio u.
-    efficiency : float
-        Efficiency eta, 0 < eta <= 1.
-
-    Returns
-    -------
-    float
-        Torque T, N*m.
-
-    Notes
-    -----
-    Source: Yanchevskiy and Niekhoroshykh 2021, before eq. (11).
+    """Torque on the output link ``T = T_in*u*eta``, N*m (Yanchevskiy and Niekhoroshykh 2021, before
+    eq. 11), for an efficiency 0 < eta <= 1.
     """
     check_positive(efficiency=efficiency)
     if efficiency > 1:
@@ -319,36 +264,24 @@ def output_torque_from_input(*, input_torque: float, ratio: float, efficiency: f
 def force_ratios(
     *, mechanism: Mechanism, crank_angles: FloatArray, force_exponent: float = 1.0
 ) -> FloatArray:
-    """Contact force of every pair over F0 at given crank angles.
+    """Contact force ``F_jn/F0`` of every pair, shape (n, K, N); 0 where a pair does not drive.
+
+    Source: Yanchevskiy and Niekhoroshykh 2021, eq. (10). Cosines are divided by the largest first,
+    so that no power of them under- or overflows. Erratum of Yanchevsky et al. 2018 after fig. 6:
+    the maxima of the next pairs follow at 180/N degrees of the wave only for K = 2 with odd N, else
+    at 360/N.
 
     Parameters
     ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
     crank_angles : array, shape (n,)
-        Crank angles phi, rad.
+        Crank angles, rad.
     force_exponent : float
-        Exponent v >= 0 of the force over the approach.
-
-    Returns
-    -------
-    array, shape (n, K, N)
-        ``F_jn/F0``, dimensionless; 0 for pairs that do not drive.
+        Exponent v of the force over the approach, from 0 to `MAX_FORCE_EXPONENT`.
 
     Raises
     ------
-    InvalidInput
-        If the exponent is negative or above `MAX_FORCE_EXPONENT`.
     ImpossibleMechanism
         If no pair drives at one of the angles.
-
-    Notes
-    -----
-    Source: Yanchevskiy and Niekhoroshykh 2021, eq. (10). Cosines are divided by the largest
-    first, so that no power of them under- or overflows.
-
-    Erratum of Yanchevsky et al. 2018 after fig. 6: the maxima of the next pairs follow at 180/N
-    degrees of the wave only for K = 2 with odd N, else at 360/N.
 
     Examples
     --------
@@ -374,46 +307,17 @@ def force_ratios(
 
 
 def approximate_peak_ratio(*, pins: int, satellites: int) -> float:
-    """Approximate peak over F0: ``(0.8 + 0.05*N)^(2 - K) * 4/(K*N)``.
+    """Approximate peak force over F0: ``(0.8 + 0.05*N)^(2 - K) * 4/(K*N)``.
 
-    Parameters
-    ----------
-    pins, satellites : int
-        Numbers N and K.
-
-    Returns
-    -------
-    float
-        Approximate ``max F/F0``, dimensionless.
-
-    Notes
-    -----
-    Source: Yanchevsky et al. 2018, eq. (5), stated there for N = 3..5 and K = 1, 2 (cranks
-    evenly spaced, v = 1) with an error below 2 %; that holds. Outside it drifts: +10 % at
-    N = 6, +20 % at N = 8, +40 % at N = 12 (K = 1). See `approximation_notices`.
-
-    Examples
-    --------
-    >>> round(approximate_peak_ratio(pins=3, satellites=1), 6)
-    1.266667
+    Source: Yanchevsky et al. 2018, eq. (5), stated for N = 3..5 and K = 1, 2 (cranks evenly spaced,
+    v = 1) with an error below 2 %, which holds. Outside that range the error grows: +10 % at N = 6,
+    +20 % at N = 8, +40 % at N = 12 (K = 1).
     """
     return float((0.8 + 0.05 * pins) ** (2 - satellites) * 4 / (satellites * pins))
 
 
 def approximation_notices(*, mechanism: Mechanism, force_exponent: float) -> tuple[Notice, ...]:
-    """Limits of eq. (5) of Yanchevsky et al. 2018 that a mechanism breaks.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    force_exponent : float
-        Exponent v.
-
-    Returns
-    -------
-    tuple of Notice
-    """
+    """Limits of eq. (5) of Yanchevsky et al. 2018 that a mechanism breaks."""
     notices = []
     for name, value, (low, high) in (
         ("pins", mechanism.pins, APPROXIMATION_PINS),
@@ -433,13 +337,7 @@ def approximation_notices(*, mechanism: Mechanism, force_exponent: float) -> tup
 
 
 def check_exponent(force_exponent: float) -> None:
-    """Refuse an exponent v outside 0 to `MAX_FORCE_EXPONENT`.
-
-    Parameters
-    ----------
-    force_exponent : float
-        Exponent v.
-    """
+    """Raise `InvalidInput` unless the exponent v lies from 0 to `MAX_FORCE_EXPONENT`."""
     check_single(force_exponent=force_exponent)
     check_not_negative(force_exponent=force_exponent)
     if force_exponent > MAX_FORCE_EXPONENT:
@@ -449,68 +347,45 @@ def check_exponent(force_exponent: float) -> None:
 
 
 def refuse_dead_centre(crank_angle: float) -> NoReturn:
-    """Refuse a position at which no pair drives, or is sure to.
-
-    Parameters
-    ----------
-    crank_angle : float
-        The crank angle of the position, rad.
-    """
+    """Raise `ImpossibleMechanism` for a dead centre at a crank angle, rad."""
     raise ImpossibleMechanism("dead_centre", {"crank_angle": crank_angle})
 
 
 EQUAL = 1e-13
-"""Peaks closer than this, or than their errors, are one peak reached more than once."""
+"""Peaks closer than this part, or than their errors, are one peak reached more than once."""
 
 PHASE_ROUNDING = 3 * ROUNDING
-"""Error of a phase by rounding, in turns: of the angle given, its way from degrees over radians to
-turns, and its place within a sector."""
+"""Rounding error of a phase, in turns: of the given angle, of its conversion from degrees over
+radians to turns, and of its place within a sector."""
 
 
 @dataclass(frozen=True, slots=True)
 class PeakForce:
-    """Largest contact force of any pair over the turn."""
+    """Largest contact force of any pair over the turn, and its place."""
 
     peak_force_ratio: float  # F_max/F0
     peak_crank_angle: float  # smallest one >= 0, rad
     peak_satellite: int  # from 1
     peak_pin: int  # from 1
-    accuracy: Accuracy  # of `peak_force_ratio`
+    accuracy: Accuracy  # error of `peak_force_ratio`
 
 
 def peak_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> PeakForce:
-    """Exact peak of the contact force over the turn, with its position and its pair.
+    """Exact peak of the contact force over the turn, with its crank angle and its pair.
 
-    Between two neighbouring switching angles the set of driving pairs is constant; within it
-    the best placed pair p has ``f = cos(x)^v / sum cos(x + d_i)^(1 + v)`` where x is its own
-    pressure angle and d_i are the phases of the others against it. With t = tan(x) the
-    stationary points for v = 1 are the roots of ``P*t^3 + (3*P - n)*t - 2*Q = 0``,
-    ``P = sum sin^2 d_i``, ``Q = sum sin d_i cos d_i``; for v = 0 there is none inside, and the
-    peak lies on a switching angle. One-sided values at the switching angles count.
+    The method is in the module's docstring; the force is that of Yanchevskiy and Niekhoroshykh
+    2021, eq. (10). Erratum: their remark after eq. (11) that f stays below 1 is false for one
+    satellite (1.249 for three pins).
 
     Parameters
     ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
     force_exponent : float
         Exponent v of the force over the approach, from 0 to `MAX_FORCE_EXPONENT`.
 
-    Returns
-    -------
-    PeakForce
-
     Raises
     ------
-    InvalidInput
-        If the exponent is negative or above `MAX_FORCE_EXPONENT`.
     ImpossibleMechanism
-        If the mechanism has a dead centre, or one within rounding: there the force would be
-        unbounded.
-
-    Notes
-    -----
-    Source of the force: Yanchevskiy and Niekhoroshykh 2021, eq. (10). Erratum: their remark
-    after eq. (11) that f stays below 1 is false for one satellite (1.249 for three pins).
+        If the mechanism has a dead centre, or one within rounding, where the force is unbounded.
 
     Examples
     --------
@@ -537,7 +412,7 @@ def peak_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> PeakForc
     candidates = law.candidates()
     ratio, winner, offset = max(candidates)
     error = law.relative_error(winner, offset, PHASE_ROUNDING + phases.error)
-    # Of equal peaks (mirror images, repeats) the first after crank angle 0 is the one to name.
+    # Equal peaks (mirror images, repeats) are named by the first after crank angle 0.
     repeat = 1 / (phases.pins * phases.symmetry)
     position = min(
         _first_repeat(place + 0.75 - parts[index].phase, repeat)
@@ -576,13 +451,13 @@ def _evenly_spaced_peak(mechanism: Mechanism) -> PeakForce:
 
 
 def _first_repeat(position: float, repeat: float) -> float:
-    """First repeat of a wave position at or after 0; a rounding error beside a repeat is 0."""
+    """First repeat of a wave position at or after 0, in turns; an error of rounding counts as 0."""
     first = position % repeat
     return first if SAME < first < repeat - SAME else 0.0
 
 
 def _best_pair(phases: WavePhases, position: float) -> tuple[int, int]:
-    """Numbers of the best placed pair at a wave position, the first of equals."""
+    """Satellite and pin, from 1, of the first of the best placed pairs at a wave position."""
     places = []
     for satellite, phase in enumerate(phases.satellite_phase):
         off = (0.75 - position - phase) * phases.pins
@@ -595,7 +470,7 @@ def _best_pair(phases: WavePhases, position: float) -> tuple[int, int]:
 
 
 class PairNumber(NamedTuple):
-    """A pair of hole and pin."""
+    """Satellite and pin of a pair."""
 
     satellite: int  # from 1
     pin: int  # from 1
@@ -612,38 +487,26 @@ class ForceCurves:
 
 @dataclass(frozen=True, slots=True)
 class ContactForce:
-    """Contact force of the pairs."""
+    """Peak contact force of the pairs; curves and other laws are None where not asked for."""
 
     reference_force: float  # F0 = T/R, N
     peak_force: float  # F_max over the turn, exact, N
     peak_force_ratio: float  # F_max/F0
     peak_crank_angle: float  # smallest one >= 0, rad
-    peak_pair: PairNumber  # the one that carries it there
-    curves: ForceCurves | None  # where asked, like the three that follow
-    equal_sharing_peak: float | None  # if all driving pairs carried the same (Zyl), N
-    approximate_peak: float | None  # Yanchevsky et al. 2018, eq. (5), N
+    peak_pair: PairNumber  # pair that carries the peak
+    curves: ForceCurves | None  # forces of all pairs over the turn
+    equal_sharing_peak: float | None  # peak if driving pairs shared equally (Zyl), N
+    approximate_peak: float | None  # peak of Yanchevsky et al. 2018, eq. (5), N
     approximate_peak_error: float | None  # relative to the exact peak, signed
-    # Of the forces and their ratio; `approximate_peak_error` is known to that, absolutely, and a
-    # smooth peak's angle to its root.
+    # Relative error of the forces and their ratio: also the absolute error of
+    # `approximate_peak_error`; the angle of a smooth peak is known to its square root.
     accuracy: Accuracy
-    notices: tuple[Notice, ...]  # limits that the approximation breaks; hardly anything known
+    notices: tuple[Notice, ...]  # limits of the approximation that are broken; results hardly known
 
 
 @lru_cache(maxsize=1024)
 def force_peak(mechanism: Mechanism, force_exponent: float) -> PeakForce:
-    """The peak of a mechanism, searched for once: sizes and loads vary far more often.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    force_exponent : float
-        Exponent v of the force over the approach.
-
-    Returns
-    -------
-    PeakForce
-    """
+    """Peak by `peak_force`, kept for later calls, as mechanisms vary less often than sizes."""
     return peak_force(mechanism=mechanism, force_exponent=force_exponent)
 
 
@@ -657,39 +520,20 @@ def contact_force(
     equal_sharing: bool = False,
     approximation: bool = False,
 ) -> ContactForce:
-    """Contact force of the pairs: the exact peak, and what else is asked.
+    """Exact peak of the contact force of the pairs, and further results where asked for.
+
+    Sources are eq. (10) of Yanchevskiy and Niekhoroshykh 2021, eq. (5) of Yanchevsky et al. 2018,
+    and eq. (1) of Zyl, which is eq. (10) with the exponent 0. `ImpossibleMechanism` is raised if
+    the mechanism has a dead centre.
 
     Parameters
     ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    output_torque : float
-        Torque T on the output link, N*m.
-    pin_circle_radius : float
-        Radius R of the circle of pin centres, m.
     force_exponent : float
-        Exponent v of the force over the approach.
+        Exponent v of the force over the approach, from 0 to `MAX_FORCE_EXPONENT`.
     curve_samples : int, optional
-        Number of evenly spaced crank angles from 0 to a full turn at which the force of every
-        pair is wanted, at least 2.
+        Number of even crank angles from 0 to a full turn for curves of the forces, at least 2.
     equal_sharing, approximation : bool
-        Whether the peaks of Zyl and of Yanchevsky et al. 2018, eq. (5), are wanted.
-
-    Returns
-    -------
-    ContactForce
-
-    Raises
-    ------
-    InvalidInput
-        If the exponent, the radius or the number of samples is out of range.
-    ImpossibleMechanism
-        If the mechanism has a dead centre.
-
-    Notes
-    -----
-    Source: Yanchevskiy and Niekhoroshykh 2021, eq. (10); Yanchevsky et al. 2018, eq. (5); Zyl,
-    eq. (1), which is the exponent 0 of the former.
+        True if the peaks of Zyl and of Yanchevsky et al. 2018, eq. (5), are asked for.
 
     Examples
     --------
@@ -730,7 +574,7 @@ def contact_force(
         approximate_peak = reference * ratio
         approximate_error = ratio / peak.peak_force_ratio - 1
         notices = approximation_notices(mechanism=mechanism, force_exponent=force_exponent)
-    # T, u, eta and R as given, their products, and the units they came in
+    # rounding of T, u, eta and R, of their products and of their conversion to SI units
     error += 5 * ROUNDING
     accuracy = Accuracy(peak.accuracy.method, error, peak.accuracy.evaluations)
     return ContactForce(
@@ -751,23 +595,7 @@ def contact_force(
 def force_curves(
     *, mechanism: Mechanism, crank_angle: FloatArray, reference: float, force_exponent: float
 ) -> ForceCurves:
-    """Force of every pair at given crank angles.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    crank_angle : array, shape (n,)
-        Crank angles, rad.
-    reference : float
-        Reference force F0, N.
-    force_exponent : float
-        Exponent v of the force over the approach.
-
-    Returns
-    -------
-    ForceCurves
-    """
+    """Force of every pair at crank angles, rad, shape (n,), for a reference force F0, N."""
     ratios = force_ratios(
         mechanism=mechanism, crank_angles=crank_angle, force_exponent=force_exponent
     )
@@ -784,21 +612,10 @@ def force_curves(
 
 
 def drawing_angles(*, mechanism: Mechanism, samples: int = 361) -> tuple[FloatArray, FloatArray]:
-    """Crank angles that show forces over the turn faithfully, and the switching angles among them.
+    """Crank angles for a plot of forces over the turn, and the switching angles among them, rad.
 
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    samples : int
-        Number of evenly spaced angles.
-
-    Returns
-    -------
-    angles, switching : array
-        Evenly spaced angles with both sides of every switching angle between them, and the
-        switching angles, rad; over one turn, or over 12 periods of a pair where the turn has
-        more than 60.
+    The angles are evenly spaced, with both sides of every switching angle added. They cover one
+    turn, or 12 periods of a pair where the turn has more than 60.
     """
     period = mechanism.crank_angle_per_wave
     end = 2 * math.pi if period >= 2 * math.pi / 60 else 12 * period

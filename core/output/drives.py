@@ -1,4 +1,4 @@
-"""Drives of discs on output pins, as the engine takes them."""
+"""Discs on output pins as groups and contacts of the engine."""
 
 from collections.abc import Sequence
 from typing import Any, NamedTuple
@@ -12,41 +12,35 @@ from core.output.elasticity import law_kind, pair_law
 from core.output.room import Errors
 
 HARD_BEARING = 50.0
-"""Stiffness of a bearing between both meshes that is rigid and has clearance, over the modulus of
-the softer body of pins and holes times the length of their contact: a contact's is about one such.
-"""
+"""Stiffness that stands for a rigid bearing with clearance between both meshes, over the contact
+length times Young's modulus of the softer of pin and hole; a contact has about 1."""
 
 
 class Cranks(NamedTuple):
-    """Deviations of the cranks and discs of pieces."""
+    """Deviations of the cranks of S pieces with K discs each."""
 
     eccentricity: FloatArray  # m, shape (S, K)
     phase: FloatArray  # rad, shape (S, K)
-    disc_phase: FloatArray  # by which holes are ahead of teeth, rad, shape (S, K)
+    disc_phase: FloatArray  # lead of the holes over the teeth, rad, shape (S, K)
 
 
 def blank(
     *, stage: Any, pins: int, radius: float, errors: Sequence[FloatArray], cranks: Cranks
 ) -> tuple[int, FloatArray, FloatArray]:
-    """Kind of the law; floats of groups and contacts with what all contacts have.
+    """Kind of the contact law, and floats of groups and contacts with what all contacts have.
 
     Parameters
     ----------
     stage : RealMechanism or CycloidMesh
-        The nominal design.
-    pins : int
-        Number of pins on the circle.
-    radius : float
-        Of that circle, m.
+        Nominal design.
+    pins, radius : int, float
+        Number of pins on the circle, and radius of the circle, m.
     errors : sequence of array, shape (S, pins)
-        By which pins lie outward and as the output turns, m.
-    cranks : Cranks
-        Deviations of the cranks.
+        Radial and tangential errors of the pins' places, m: outward, and as the output turns.
 
     Returns
     -------
     kind : int
-        Of the law.
     gf : array, shape (S, K, 16)
     cf : array, shape (S, K, pins, 13)
     """
@@ -66,19 +60,7 @@ def blank(
 
 
 def output_pins(*, output: Any, errors: Errors[FloatArray]) -> Contacts:
-    """Output pins in the holes of discs that do not turn; their phase counts from the wave.
-
-    Parameters
-    ----------
-    output : RealMechanism
-        The nominal design.
-    errors : Errors of array
-        Deviations of pieces, a row for each.
-
-    Returns
-    -------
-    Contacts
-    """
+    """Output pins in holes of discs that do not turn; phases count from the wave angle."""
     own, cranks = output.mechanism, Cranks(*errors[6:])
     kind, gf, cf = blank(
         stage=output,
@@ -98,7 +80,7 @@ def output_pins(*, output: Any, errors: Errors[FloatArray]) -> Contacts:
     cf[..., engine.GAP] = wider - cranks.eccentricity[..., None] + loose
     cf[..., engine.RAD] = pin = np.broadcast_to(output.pin_radius + larger, wider.shape)
     difference, give = output.eccentricity + wider, np.array(output.compliance)[:, None]
-    with np.errstate(invalid="ignore", divide="ignore"):  # of pieces that have no size
+    with np.errstate(invalid="ignore", divide="ignore"):  # pieces may have no size
         a, b, limit = pair_law(
             kind=kind, law=output.law_constants, pin=pin, wide=difference, give=give
         )
@@ -109,19 +91,10 @@ def output_pins(*, output: Any, errors: Errors[FloatArray]) -> Contacts:
 
 
 def in_series(*, pins: Contacts, output: Any) -> Contacts:
-    """Output pins in the holes of discs that turn in a ring, of whose phases their lags have all;
-    their phase counts from the crank. Bearings whose clearance is no contact's let discs float.
+    """Contacts of `output_pins` for discs that also mesh with a ring; phases count from the crank.
 
-    Parameters
-    ----------
-    pins : Contacts
-        As `output_pins` gives them.
-    output : RealMechanism
-        The nominal design.
-
-    Returns
-    -------
-    Contacts
+    Phase errors of the discs are in their lags. Clearance of the crank bearings is left to
+    `journals`, in which the discs float.
     """
     gf, cf, own = pins.gf.copy(), pins.cf.copy(), output.mechanism
     cf[..., engine.GAP] -= output.support.loose
@@ -131,19 +104,10 @@ def in_series(*, pins: Contacts, output: Any) -> Contacts:
 
 
 def journals(*, pins: Contacts, output: Any) -> Contacts | None:
-    """Cranks in the bearings of discs that float there between output pins and a ring.
+    """Cranks in bearings of discs that float between output pins and a ring; None without
+    clearance.
 
-    Parameters
-    ----------
-    pins : Contacts
-        As `in_series` gives them.
-    output : RealMechanism
-        The nominal design.
-
-    Returns
-    -------
-    Contacts or None
-        None without a clearance.
+    `pins` are the contacts that `in_series` gives.
     """
     support = output.support
     if not support.loose:
@@ -158,19 +122,7 @@ def journals(*, pins: Contacts, output: Any) -> Contacts | None:
 
 
 def output_pieces(*, output: Any, errors: Errors[FloatArray]) -> Pieces:
-    """Drives of many pieces of an output mechanism.
-
-    Parameters
-    ----------
-    output : RealMechanism
-        The nominal design.
-    errors : Errors of array
-        Deviations of the pieces, a row for each.
-
-    Returns
-    -------
-    Pieces
-    """
+    """Drives of many pieces of an output mechanism; `errors` has one row for each piece."""
     return pieces_of(
         pins=output_pins(output=output, errors=errors),
         shares=tuple(output.support.given_shares),

@@ -1,8 +1,8 @@
-"""The pairs that drive together, and the segments of the turn over which they do.
+"""Sets of pairs that drive together, and the segments of the turn over which each set drives.
 
-The pins of one satellite that drive at a moment are neighbours, so every sum over driving pairs
-of a linear or squared cosine is a few geometric sums, one for each satellite. Angles are counted
-in turns and against the best placed pair, the one with the largest cosine.
+The driving pins of one satellite are neighbours at any moment, so a sum over driving pairs of a
+linear or squared cosine is a few geometric sums, one for each satellite. Angles are in turns and
+count from the best placed pair, which has the largest cosine of the pressure angle.
 """
 
 import math
@@ -19,19 +19,19 @@ from core.precision import ROUNDING
 
 @dataclass(frozen=True, slots=True)
 class PinRun:
-    """Neighbouring pins that drive, of all satellites of one phase."""
+    """Neighbouring pins that drive, of all satellites with one phase."""
 
-    middle: float  # phase of its middle against the best placed pair, in turns
-    count: int  # of pins, at least 1
+    middle: float  # phase of the run's middle against the best placed pair, in turns
+    count: int  # number of pins, at least 1
     weight: int  # number of satellites
 
 
 @dataclass(frozen=True, slots=True)
 class DrivingSet:
-    """The pairs that drive over one segment."""
+    """Pairs that drive over one segment."""
 
     pins: int  # N: neighbours are an N-th of a turn apart
-    runs: tuple[PinRun, ...]  # the driving pins, phase by phase
+    runs: tuple[PinRun, ...]  # driving pins, phase by phase
 
     @property
     def number(self) -> int:
@@ -44,17 +44,7 @@ class DrivingSet:
         return sum(run.count * run.weight for run in self.runs if run.count > 1)
 
     def sum_of_cosines(self, offset: float) -> float:
-        """Sum of cos(gamma) over the driving pairs.
-
-        Parameters
-        ----------
-        offset : float
-            Pressure angle of the best placed pair, in turns.
-
-        Returns
-        -------
-        float
-        """
+        """Sum of cos(gamma) over the driving pairs; `offset` is the best pair's gamma, in turns."""
         step = math.sin(math.pi / self.pins)
         return sum(
             run.weight
@@ -64,16 +54,8 @@ class DrivingSet:
         )
 
     def sums_of_squares(self, offset: float) -> tuple[float, float, float]:
-        """Sums of cos^2, sin^2 and sin*cos of the pressure angles over the driving pairs.
-
-        Parameters
-        ----------
-        offset : float
-            Pressure angle of the best placed pair, in turns.
-
-        Returns
-        -------
-        tuple of float
+        """Sums of cos^2, sin^2 and sin*cos of gamma over the driving pairs; `offset` is the best
+        pair's gamma, in turns.
         """
         cosines = sines = products = 0.0
         for run in self.runs:
@@ -105,28 +87,17 @@ class DrivingSet:
 
 @dataclass(frozen=True, slots=True)
 class Segment:
-    """A part of the turn with one driving set and one best placed pair."""
+    """Part of the turn with one driving set and one best placed pair."""
 
-    phase: float  # of the best placed pair, in turns
+    phase: float  # phase of the best placed pair, in turns
     low: float  # least pressure angle of that pair, in turns
-    high: float  # its largest
-    driving: DrivingSet  # the pairs that drive there
+    high: float  # largest pressure angle of that pair, in turns
+    driving: DrivingSet  # pairs that drive over the segment
 
 
 def segments(phases: WavePhases) -> Iterator[Segment]:
-    """Segments of smooth peak force over one repeat of the pattern.
-
-    They end where a pair starts or stops driving, and midway between neighbouring phases, where
-    another pair becomes the best placed.
-
-    Parameters
-    ----------
-    phases : WavePhases
-        Phases of all pairs.
-
-    Yields
-    ------
-    Segment
+    """Segments over one repeat of the pattern. A segment ends where a pair starts or stops driving,
+    or midway between neighbouring phases, where another pair becomes the best placed.
     """
     sector = 1 / phases.pins
     values = phases.sector_phases
@@ -140,7 +111,7 @@ def segments(phases: WavePhases) -> Iterator[Segment]:
 
 
 def _switches(phases: WavePhases, phase: float, low: float, high: float) -> list[float]:
-    """Offsets between low and high at which a pair starts or stops driving, ascending."""
+    """Offsets from `low` to `high` at which a pair starts or stops driving, ascending, turns."""
     sector = 1 / phases.pins
     apart = 4 * ROUNDING
     found = []
@@ -158,7 +129,7 @@ def _switches(phases: WavePhases, phase: float, low: float, high: float) -> list
 
 
 def _driving_set(phases: WavePhases, phase: float, offset: float) -> DrivingSet:
-    """The pairs that drive where the pair of a phase has a pressure angle."""
+    """Pairs that drive while the pair of a phase has the pressure angle `offset`, in turns."""
     pins = phases.pins
     runs = []
     for other, weight in zip(phases.sector_phases, phases.multiplicity, strict=True):
@@ -172,15 +143,5 @@ def _driving_set(phases: WavePhases, phase: float, offset: float) -> DrivingSet:
 
 
 def cosine(turns: float) -> float:
-    """Cosine of an angle within half a turn; beside its zero it keeps its digits.
-
-    Parameters
-    ----------
-    turns : float
-        Angle, in turns.
-
-    Returns
-    -------
-    float
-    """
+    """Cosine of an angle of at most half a turn, in turns, with all digits beside its zero."""
     return math.sin(2 * math.pi * (0.25 - abs(turns)))

@@ -1,4 +1,6 @@
-"""Line load at the ends of contacts whose pins slope: each force with the slope at that moment."""
+"""Line load at the ends of contacts whose pins slope, by each force and the slope at that
+moment.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,45 +12,37 @@ from core.output.loaded_pin import LoadedPin, PinLoads
 from core.output.pin_beam import face_load_factor
 
 IDLE = 1e-12
-"""Forces below this part of the largest bear no line load that counts."""
+"""Part of the largest force below which a force bears no line load that counts."""
 
 
 @dataclass(frozen=True, slots=True)
 class EdgeLoad:
-    """The contact with the largest line load at an end of its length, where the pins slope."""
+    """Contact with the largest line load at an end of its length, where the pins slope."""
 
-    # Even force that would have this line load, N: the contact's own times its
+    # Even force that would have this line load, N: the contact's own force times
     # `core.output.pin_beam.face_load_factor`.
     force: float
     satellite: int  # from 1
-    pin: int | None  # from 1; None where all are alike
+    pin: int | None  # from 1; None where all pins are alike
 
 
 @dataclass(frozen=True, slots=True)
 class SlopingContacts:
     """Contacts of pins that slope.
 
-    The slope that counts is that in the plane of the force; the pin's turn across it skews the
+    Only the slope in the plane of the force counts: a turn of the pin across that plane skews the
     contact, which moves its ends apart by the second order only.
     """
 
-    pin: LoadedPin  # as a beam
-    loads: list[PinLoads]  # of a pin where all are alike, else of each
+    pin: LoadedPin  # pin as a beam
+    loads: list[PinLoads]  # loads of one pin where all are alike, else of every pin
     contact_length: float  # b, m, > 0
     # Approach of a level contact over its force, m/N, as a function of the force, N.
     compliance: Callable[[Number], Number]
 
     def even(self, force: Number, slope: Number) -> Number:
-        """Even force on a contact that would have the line load of its edge.
-
-        Parameters
-        ----------
-        force, slope : float or array
-            Its own force, N, > 0, and the rotation of its pin, rad.
-
-        Returns
-        -------
-        float or array
+        """Even force, N, that has the line load at the edge of a contact with a force > 0, N, and a
+        pin's slope, rad.
         """
         approach = force * self.compliance(force)
         return force * face_load_factor(
@@ -56,14 +50,14 @@ class SlopingContacts:
         )
 
     def largest(self) -> EdgeLoad:
-        """The contact with the largest line load."""
+        """Contact with the largest line load."""
         found = np.array([self._of_pin(each) for each in self.loads])
         case, satellite = np.unravel_index(int(found.argmax()), found.shape)
         pin = None if len(self.loads) == 1 else self.loads[case].pin
         return EdgeLoad(float(found.max()), int(satellite) + 1, pin)
 
     def _of_pin(self, loads: PinLoads) -> FloatArray:
-        """The largest even force of each satellite on a pin."""
+        """Largest even force of each satellite on a pin, N, shape (K,)."""
         turn, slopes = loads.turn, self.pin.slopes
         forces = turn.forces[: len(slopes)]
         size = np.abs(forces)

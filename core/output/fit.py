@@ -1,4 +1,4 @@
-"""What of a misfit of pins in their holes elasticity takes up."""
+"""Misfits of pins in their holes, and how much of a misfit elasticity takes up."""
 
 from contextlib import suppress
 from dataclasses import dataclass
@@ -19,39 +19,37 @@ Misfit = Literal[
     "", "fits_by_bearing_clearance", "pressed_without_load", "jams", "discs_out_of_phase",
     "cannot_assemble",
 ]  # fmt: skip
-"""What does not fit, a key of `core.codes.CODES`; empty where all does."""
+"""Kind of a misfit, a key of `core.codes.CODES`; empty where all pins fit."""
 
 FITS: tuple[Misfit, ...] = ("", "fits_by_bearing_clearance")
-"""Values of `Misfit` with which pins fit into their holes."""
+"""Kinds of `Misfit` with which pins fit into their holes."""
 
 NO_TORQUE = 1e-9
-"""Part of the torque at the elastic limit that stands for none."""
+"""Part of the torque at the elastic limit that stands for no torque."""
 
 
 @dataclass(frozen=True, slots=True)
 class Elastic:
-    """What the elasticity of pins and holes takes up of a misfit; None what is not known, or not
-    so.
-    """
+    """Elastic limit of the pairs, and forces of parts pressed without load; None if not known."""
 
     limit: float | None  # largest approach that a pair takes elastically, m
-    limit_force: float | None  # the force under which it does, N
+    limit_force: float | None  # force of that pair at this approach, N
     # Largest force of a pair where the room is least and parts press without load, N.
     force_without_load: float | None
-    pressure_without_load: float | None  # the largest pressure there, Pa
+    pressure_without_load: float | None  # largest pressure under these forces, Pa
 
 
 @dataclass(frozen=True)
 class Fit:
-    """What becomes of a misfit of the pins of a mechanism in their holes."""
+    """Misfit of the pins of a mechanism in their holes, and what follows from it."""
 
-    rooms: Rooms  # the geometry
-    real: RealMechanism  # of these sizes; its torque is not asked
+    rooms: Rooms  # room of the pins by geometry alone
+    real: RealMechanism  # mechanism of these sizes, under any torque
 
     @cached_property
     def forces_at_limit(self) -> tuple[float, ...]:
-        """Force of each pair under which the pressure is at what the weaker body stands at rest, N,
-        satellite by satellite; none where that is known of neither.
+        """Force of each pair, N, satellite by satellite, at which the pressure reaches the limit at
+        rest of the weaker body; empty where neither limit is known.
         """
         real, known = self.real, list[float]()
         for material in (real.pin_material, real.hole_material):
@@ -68,7 +66,7 @@ class Fit:
 
     @cached_property
     def _approaches_at_limit(self) -> list[float]:
-        """Approach of each pair under its force at the limit, m; none where that is not known."""
+        """Approach of each pair under `forces_at_limit`, m; empty where these are not known."""
         real, forces = self.real, self.forces_at_limit
         if not forces:
             return []
@@ -78,8 +76,8 @@ class Fit:
 
     @cached_property
     def impossible(self) -> bool:
-        """Whether no elastic state exists: at any lag some pair is pressed in by more than its
-        bodies stand. Where no limit is known nothing is proven.
+        """True if no elastic state exists: at any lag some pair is pressed in by more than its
+        bodies bear. False where no limit is known, unless a hole is no larger than its pin.
         """
         short = self._short
         if not short or self.rooms.closed:
@@ -89,15 +87,15 @@ class Fit:
 
     @property
     def _short(self) -> float:
-        """By how much the pins are too thick, m; bearings of cranks give their clearance."""
+        """Missing radius of the holes beyond the crank bearings' free travel, m, at least 0."""
         nothing = AS_TYPED * (self.real.pin_radius + self.real.eccentricity)
         short = -self.rooms.room.least - self.real.support.loose
         return short if short > nothing else 0.0
 
     @cached_property
     def misfit(self) -> Misfit:
-        """What does not fit. Parts are pressed where at the position of the least room every pair
-        stands what presses it without load, or where no limit is known and the forces are solved.
+        """Kind of misfit: "pressed_without_load" if, where the room is least, every pair bears its
+        force, or forces balance and no limit is known.
         """
         if self.rooms.room.state == "fits":
             return ""
@@ -116,8 +114,8 @@ class Fit:
 
     @cached_property
     def forces_without_load(self) -> tuple[float, ...]:
-        """Force of each pair where the room is least and nothing loads the output, N, satellite by
-        satellite; no forces where none balance there.
+        """Force of each pair, N, satellite by satellite, where the room is least and no torque
+        loads the output; empty where no forces balance there.
         """
         real = self.real
         psi = real.wave(self.rooms.room.crank_angle or 0.0)
@@ -129,8 +127,8 @@ class Fit:
         return tuple(room.forces[0].tolist())
 
     def _pressed(self) -> bool:
-        """Whether every pair stands what presses it without load where the room is least; where no
-        limit is known, whether forces balance there.
+        """True if every pair bears its force without load at the position of the least room or,
+        with no known limit, if forces balance there.
         """
         forces, limits = self.forces_without_load, self.forces_at_limit
         within = (force <= limit for force, limit in zip(forces, limits, strict=bool(limits)))
@@ -138,8 +136,8 @@ class Fit:
 
     @property
     def elastic(self) -> Elastic:
-        """What elasticity takes up; forces where parts press without load and an elastic state is
-        not ruled out. Of holes no larger than their pins nothing.
+        """Limits of the elastic approach, and forces if parts press without load and may do so
+        elastically. All are None if a hole is no larger than its pin.
         """
         if self.rooms.closed:
             return Elastic(None, None, None, None)
@@ -156,12 +154,7 @@ class Fit:
         )
 
     def refusal(self) -> ImpossibleMechanism:
-        """Why no force can be solved, with the room, where it is least, and the hole that would do.
-
-        Returns
-        -------
-        ImpossibleMechanism
-        """
+        """Refusal of a mechanism that cannot be assembled, with the hole radius needed."""
         room, where = self.rooms.room, self.rooms.room.where
         (pair, *_) = room.binding if where else (Binding(1, 1, "radial"),)  # all alike: any
         return ImpossibleMechanism(
@@ -176,31 +169,25 @@ class Fit:
 
 
 def _force_under(real: RealMechanism, pair: int, pressure: float) -> float:
-    """Force of a pair under which its governing pressure is a given one, N."""
+    """Force of a pair under which its governing pressure, Pa, is the given one, N."""
     under = partial(real.contact, pair)
     return force_factor(contact=under(1.0), contact_at=under, limit=pressure)
 
 
 def solvable(*, real: RealMechanism, rooms: Rooms | None = None) -> Fit:
-    """How the pins fit, where forces may be solved.
+    """Fit of the pins of a mechanism whose forces may be solved.
 
     Parameters
     ----------
-    real : RealMechanism
-        The mechanism.
     rooms : Rooms, optional
-        Room of the pins where the discs turn in their ring, which may take up by its elasticity too
-        what does not fit.
-
-    Returns
-    -------
-    Fit
+        Room of the pins where discs turn in their ring. Elasticity of the ring may take up a misfit
+        too, so that a missing elastic state is then not refused.
 
     Raises
     ------
     ImpossibleMechanism
-        If a hole is no larger than its pin, if the holes do not hold their pins, which could pass
-        from one into the next or around the satellite's centre, or if no elastic state exists.
+        If a hole is no larger than its pin, if pins could pass from one hole into the next or
+        around the satellite's centre, or if no elastic state exists.
     """
     fit = Fit(rooms or real.rooms, real)
     real.rooms.refuse_without_bound()

@@ -1,11 +1,11 @@
-"""Bounds of the force over a stretch of a segment, from what is known at its ends.
+"""Bounds of the force over a stretch of a segment, from values at the ends of the stretch.
 
-With t the tangent of the best placed pair's pressure angle and d the phase of another driving pair
-against it, ``u = cos(d) - t*sin(d)`` is that one's cosine over its own, linear in t, and the force
-ratio is ``f = sqrt(1 + t^2)/T`` with ``T = sum(u^(1 + v))``. T is convex in t,
+Let t be the tangent of the best placed pair's pressure angle, and d the phase of another driving
+pair against it. The cosine of that pair over the best one's is ``u = cos(d) - t*sin(d)``, linear in
+t, and the force ratio is ``f = sqrt(1 + t^2)/T`` with ``T = sum(u^(1 + v))``. T is convex in t,
 ``L = sum(sin(d)*u^v)`` falls, and ``B = T + (1 + v)*t*L`` rises up to t = 0 and falls from there.
-``t*B + (1 + v)*L`` has the sign of the slope of f; none of its two parts is large where they nearly
-cancel, as those of ``t*T + (1 + v)*(1 + t^2)*L`` are beside a dead centre.
+The slope of f has the sign of ``t*B + (1 + v)*L``. Neither term is large where both nearly cancel,
+unlike those of ``t*T + (1 + v)*(1 + t^2)*L`` beside a dead centre.
 """
 
 import math
@@ -13,45 +13,35 @@ from typing import NamedTuple
 
 RESOLUTION = 1e-7
 """Last step to a summit, over its distance from the ends of its bracket: steps converge
-quadratically, and the height is off by the square of what is left, so both are below rounding."""
+quadratically, and the height is off by the square of the rest, so that both errors are below
+rounding."""
 
 NARROW = 2.0**-12
-"""Width of a stretch, over its distance from the ends of the segment, in which all summits, if
-there are more than one, are equally high but for rounding: where two part from one, they differ
-with the fourth power of their distance."""
+"""Width of a stretch, over its distance from the ends of the segment, within which several
+summits have one height but for rounding: heights of summits differ by the fourth power of their
+distance."""
 
 HALVINGS = 50
-"""Halvings after which a stretch of a segment is not halved any more: it is a rounding error."""
+"""Most halvings of a segment: narrower stretches are a rounding error."""
 
 
 class Look(NamedTuple):
-    """What is known at one place; all dimensionless."""
+    """Values at one place of a segment, all dimensionless."""
 
     tangent: float  # t, tangent of the pressure angle of the best placed pair
     force: float  # force ratio f
     slope: float  # t*B + (1 + v)*L
-    change: float  # its derivative by t
+    change: float  # derivative of `slope` by t
     total: float  # T
     lead: float  # L
     balance: float  # B
     falling: float  # sum of sin(d)^2*u^(v - 1) over the pairs whose u falls with t
-    rising: float  # the same over those whose u rises
+    rising: float  # sum of sin(d)^2*u^(v - 1) over the pairs whose u rises with t
 
 
 def least_total(left: Look, right: Look, exponent: float) -> float:
-    """Lower bound of T: where its tangents at the ends meet, or the lower end.
-
-    Parameters
-    ----------
-    left, right : Look
-        At the ends of the stretch.
-    exponent : float
-        Force exponent v.
-
-    Returns
-    -------
-    float
-        At least 1, the share of the best placed pair itself.
+    """Lower bound of T over a stretch: T where its tangents at the ends meet, or at the lower end,
+    and at least 1, the share of the best placed pair itself.
     """
     if left.lead <= 0:
         return left.total
@@ -63,23 +53,8 @@ def least_total(left: Look, right: Look, exponent: float) -> float:
 
 
 def most_summits(left: Look, right: Look, exponent: float, highest: float, least: float) -> int:
-    """Most summits above the highest force found that a stretch may have.
-
-    Parameters
-    ----------
-    left, right : Look
-        At its ends.
-    exponent : float
-        Force exponent v.
-    highest : float
-        The highest force ratio found.
-    least : float
-        Lower bound of T, see `least_total`.
-
-    Returns
-    -------
-    int
-        0, 1, or 2 for any number.
+    """Largest possible number of summits of a stretch above the force ratio `highest`: 0, 1, or 2
+    for any number. `least` is the lower bound of T.
     """
     start, stop, rise = left.tangent, right.tangent, 1 + exponent
     one_sided = start * stop > 0
@@ -104,19 +79,8 @@ def most_summits(left: Look, right: Look, exponent: float, highest: float, least
 
 
 def next_place(here: Look, start: float, stop: float) -> float:
-    """Where to look next for a place at which the slope falls through 0.
-
-    Parameters
-    ----------
-    here : Look
-        At the last place.
-    start, stop : float
-        Tangents between which it lies.
-
-    Returns
-    -------
-    float
-        A step of Newton's method, or half way between where that does not stay inside.
+    """Next tangent at which to look for a place where the slope falls through 0: by Newton's
+    method, or the middle of the range where Newton's step leaves it.
     """
     place = here.tangent - here.slope / here.change if here.change < 0 else start
     return place if start < place < stop else (start + stop) / 2

@@ -1,4 +1,10 @@
-"""Laws of load sharing: the force of the best placed pair, and where in a segment it may peak."""
+"""Laws of load sharing: force of the best placed pair, and where in a segment it may peak.
+
+Within a segment the n driving pairs stay, with phases d_i against the best placed one. The force of
+that pair at its pressure angle x is ``f = cos(x)^v/sum cos(x + d_i)^(1 + v)``. With t = tan(x),
+``P = sum sin^2 d_i`` and ``Q = sum sin d_i cos d_i`` it is stationary for v = 1 at the roots of
+``P*t^3 + (3*P - n)*t - 2*Q = 0``. For v = 0 it has no maximum inside: the peak is at an end.
+"""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -20,7 +26,7 @@ from core.output.force_bounds import (
 from core.precision import ROUNDING
 
 MANY = 24
-"""Driving pairs above which arrays are faster than a loop."""
+"""Number of driving pairs above which arrays are faster than a loop."""
 
 
 Candidate = tuple[float, int, float]
@@ -37,7 +43,7 @@ class ForceLaw:
         self.exponent = exponent
 
     def candidates(self) -> list[Candidate]:
-        """The ends of all segments, and the places inside at which the force may be largest."""
+        """Ends of all segments, and places inside at which the force may be largest."""
         return [
             (self.of_best_pair(part.driving, offset), index, offset)
             for index, part in enumerate(self.parts)
@@ -45,7 +51,7 @@ class ForceLaw:
         ]
 
     def of_best_pair(self, driving: DrivingSet, offset: float) -> float:
-        """Force ratio."""
+        """Force ratio of the best placed pair at its pressure angle, in turns."""
         raise NotImplementedError
 
     def stationary(self, part: Segment) -> list[float]:
@@ -53,12 +59,12 @@ class ForceLaw:
         raise NotImplementedError
 
     def relative_error(self, index: int, offset: float, phase_error: float) -> float:
-        """Relative error of a candidate, from an error of the phases in turns."""
+        """Relative error of a candidate by rounding and by an error of the phases, in turns."""
         raise NotImplementedError
 
 
 class _EqualSharing(ForceLaw):
-    """Exponent 0: 1 over the sum of cosines, which has no maximum inside a segment."""
+    """Law of exponent 0: 1 over the sum of cosines."""
 
     method = "segments_equal"
 
@@ -75,7 +81,7 @@ class _EqualSharing(ForceLaw):
 
 
 class _Linear(ForceLaw):
-    """Exponent 1: with t = tan(offset) the roots of P*t^3 + (3*P - n)*t - 2*Q = 0."""
+    """Law of exponent 1: cos(x) over the sum of squared cosines."""
 
     method = "segments_cubic"
 
@@ -102,8 +108,8 @@ class _Linear(ForceLaw):
 
 
 class _Power(ForceLaw):
-    """Any exponent: stretches are halved until they have no summit that may be the peak, or one;
-    see `core.output.force_bounds`.
+    """Law of any exponent: stretches are halved until they have at most one summit that may be the
+    peak; see `core.output.force_bounds`.
     """
 
     method = "segments_roots"
@@ -163,7 +169,7 @@ class _Power(ForceLaw):
                 stretches += [(middle, right), (left, middle)]
 
     def _summit(self, index: int, left: Look, right: Look) -> float:
-        """Tangent where the slope falls through 0: a secant, Newton's method, bisection behind."""
+        """Tangent at which the slope falls through 0: secant, Newton's method, bisection."""
         start, stop = left.tangent, right.tangent
         place = start + left.slope / (left.slope - right.slope) * (stop - start)
         for _ in range(100):
@@ -242,45 +248,19 @@ class _Power(ForceLaw):
 
 
 def _cosines(turns: FloatArray) -> FloatArray:
-    """Cosines where they are positive, else 0; beside their zero they keep their digits."""
+    """Cosines of angles in turns, 0 where negative, with all digits beside their zero."""
     cosines: FloatArray = np.maximum(np.sin(2 * np.pi * (0.25 - np.abs(turns))), 0.0)
     return cosines
 
 
 def force_law(*, parts: Sequence[Segment], exponent: float) -> ForceLaw:
-    """The law of a force exponent over the segments of the turn.
-
-    Parameters
-    ----------
-    parts : sequence of Segment
-        The segments.
-    exponent : float
-        Force exponent v; 0 and 1 have closed forms.
-
-    Returns
-    -------
-    ForceLaw
-    """
+    """Law of a force exponent over the segments of the turn; 0 and 1 have closed forms."""
     return {0.0: _EqualSharing, 1.0: _Linear}.get(exponent, _Power)(parts, exponent)
 
 
 def depressed_cubic_roots(linear: float, constant: float) -> list[float]:
-    """Real roots of ``t^3 + linear*t + constant``, polished by Newton's method.
-
-    Parameters
-    ----------
-    linear, constant : float
-        Coefficients.
-
-    Returns
-    -------
-    list of float
-        One root, or three (equal ones repeated).
-
-    Examples
-    --------
-    >>> sorted(round(root, 12) for root in depressed_cubic_roots(-7.0, 6.0))
-    [-3.0, 1.0, 2.0]
+    """Real roots of ``t^3 + linear*t + constant``, one or three (equal ones repeated), polished by
+    Newton's method.
     """
     if linear == 0:
         return [math.copysign(abs(constant) ** (1 / 3), -constant)]

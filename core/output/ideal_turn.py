@@ -1,8 +1,9 @@
 """Ideal forces over a turn of the wave, sampled.
 
-Between switching angles the forces of all pairs are smooth. Each such stretch is cut into panels of
+Forces of all pairs are smooth between switching angles. Each such stretch is cut into panels of
 three places, which are halved until the middle one lies on the line between the ends. Pins an N-th
-of a turn apart feel alike an N-th of a turn later, so that one such sector is sampled, of all pins.
+of a turn apart bear equal forces an N-th of a turn later, so that one such sector is sampled, of
+all pins.
 """
 
 from dataclasses import dataclass, replace
@@ -18,18 +19,17 @@ from core.output.sampled_turn import PinSamples, SampledTurn, largest_of_samples
 from core.precision import SEARCHED
 
 WIDEST = 1 / 1600
-"""Widest panel, turns."""
+"""Largest width of a panel, turns."""
 
 OFF_LINE = 4 * SEARCHED
-"""How far the middle of a panel may lie off the line between its ends, over the largest force."""
+"""Largest distance of a panel's middle from the line between its ends, over the largest force."""
 
 HALVED = 18
-"""How often a panel is halved at most: beside a pair that starts, a force exponent below 1 has no
-slope.
-"""
+"""Most halvings of a panel: beside a pair that starts, forces of an exponent below 1 have no finite
+slope."""
 
 NOTHING = 1e-30
-"""Force of a pair, over that of the best placed one, that no sum feels."""
+"""Force of a pair, over that of the best placed one, that is too small to change any sum."""
 
 SIMPSON = np.array([1.0, 4.0, 1.0]) / 6
 
@@ -38,8 +38,8 @@ SIMPSON = np.array([1.0, 4.0, 1.0]) / 6
 class IdealTurn(SampledTurn):
     """Ideal forces under one torque, of all pins over one sector."""
 
-    weights: FloatArray  # of the means over the turn, shape (n,)
-    smooth: BoolArray  # whether forces are smooth from the sample before to that after, shape (n,)
+    weights: FloatArray  # weights of the means over the turn, shape (n,)
+    smooth: BoolArray  # True if smooth from the sample before to the one after, shape (n,)
     first: float  # wave angle at which the turn begins, rad
 
     def mean(self, values: FloatArray) -> FloatArray:
@@ -48,37 +48,37 @@ class IdealTurn(SampledTurn):
         return found
 
     def largest(self, values: FloatArray) -> FloatArray:
-        """Largest values over the turn, shape (..., n)."""
+        """Largest values over the turn, for values of shape (..., n)."""
         rows = values.reshape(-1, values.shape[-1])
         found = largest_of_samples(values=rows, wave=self.wave, smooth=self.smooth)
         return found.reshape(values.shape[:-1])
 
     def missed(self, values: ComplexArray) -> float:
-        """Error of values between the samples: what is promised."""
+        """Error of values between the samples, `SEARCHED` of the largest value."""
         return float(SEARCHED * np.abs(values).max())
 
     def felt(self, pin: int) -> PinSamples:
-        """Forces on a pin over the turn: in each sector those on another one."""
+        """Forces on a pin over the turn, joined from the sector sampled of all pins."""
         count = self.on_pins.shape[1]
         wave = np.add.outer(2 * np.pi * np.arange(count) / count, self.wave).ravel()
         smooth = np.tile(self.smooth, count)
-        begun = np.flatnonzero(~smooth)[::2]  # where stretches begin, of which each has two ends
+        begun = np.flatnonzero(~smooth)[::2]  # starts of stretches, each of which has two ends
         late = begun[wave[begun] >= self.first + 2 * np.pi]
-        if len(late):  # these come first
+        if len(late):  # samples past the turn come first
             wave[late[0] :] -= 2 * np.pi
         first = -int(late[0]) if len(late) else 0
         forces = np.roll(self.on_pins.reshape(len(self.on_pins), -1), first, axis=1)
         found = PinSamples(forces, np.roll(wave, first), np.roll(smooth, first))
-        return found.thinned(OFF_LINE / 4)  # many are there for other pins alone
+        return found.thinned(OFF_LINE / 4)  # many samples serve other pins alone
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Arcs:
     """Stretches of a sector between switching angles."""
 
-    phase: FloatArray  # of all pairs, turns, shape (K, N)
-    start: FloatArray  # turns of the wave, shape (a,)
-    width: FloatArray  # turns, shape (a,)
+    phase: FloatArray  # phases of all pairs, turns, shape (K, N)
+    start: FloatArray  # start of each arc, turns of the wave, shape (a,)
+    width: FloatArray  # width of each arc, turns, shape (a,)
     exponent: float
 
     @classmethod
@@ -90,8 +90,8 @@ class _Arcs:
         return cls(np.add.outer(np.array(phases.satellite_phase), pins), start, width, exponent)
 
     def forces(self, arc: IntArray, place: FloatArray) -> ComplexArray:
-        """Forces of all pairs over F0 at places of arcs, turns from their start, shape (K, N, n):
-        tangential + i*radial.
+        """Forces of all pairs over F0, tangential + i*radial, shape (K, N, n), at places of arcs,
+        in turns from their start.
         """
         phase = self.phase[..., None] + 0.25
         middle = phase + (self.start + self.width / 2)[arc]
@@ -110,7 +110,7 @@ class _Arcs:
 
 @lru_cache(maxsize=64)
 def _sampled(mechanism: Mechanism, exponent: float) -> IdealTurn:
-    """The turn under unit forces F0 = 1 and a unit torque."""
+    """Turn under a reference force F0 = 1 and a unit torque."""
     peak = force_peak(mechanism, exponent)  # refuses what cannot be
     arcs = _Arcs.of(mechanism, exponent)
     count = np.ceil(arcs.width / WIDEST).astype(int)
@@ -170,33 +170,10 @@ def _sampled(mechanism: Mechanism, exponent: float) -> IdealTurn:
 def ideal_turn(
     torque: float, *, mechanism: Mechanism, force_exponent: float, pin_circle_radius: float
 ) -> IdealTurn:
-    """Ideal forces over a turn of the wave, sampled.
+    """Ideal forces over a turn of the wave, sampled (Yanchevskiy and Niekhoroshykh 2021, eq. 10).
 
-    In reverse a pin feels the same forces the other way, half a turn of the wave later.
-
-    Parameters
-    ----------
-    torque : float
-        On the output link, N*m; negative in reverse.
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    pin_circle_radius : float
-        Radius R of the circle of pin centres, m.
-
-    Returns
-    -------
-    IdealTurn
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If the mechanism has a dead centre.
-
-    Notes
-    -----
-    Source of the forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10).
+    In reverse (torque < 0, N*m) a pin bears equal forces the other way, half a turn of the wave
+    later. `ImpossibleMechanism` is raised if the mechanism has a dead centre.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""A pin under the forces of a turn: its largest stresses and its worst stress cycle."""
+"""Largest stresses and worst stress cycle of a pin under the forces of a turn."""
 
 import math
 from collections.abc import Callable
@@ -17,53 +17,53 @@ from core.output.sampled_turn import PinSamples
 from core.output.worst_section import Cells, Place, largest_of_cells, settled
 
 ROUGH, FEWER = 2e-7, 2e-5
-"""How much worse than the worst cycle one may be about which all samples are looked at; how far off
-the line between the others those lie, over the largest force, without which it is looked for."""
+"""Part by which the worst cycle of a rough search may be too small, and largest distance over the
+largest force at which that search leaves out samples near the line between their neighbours."""
 
 NEARLY, FEW = 0.98, 8
-"""Along the corners of a line the worst is looked for first among every eighth sample, and then
-where a section comes to 0.98 of it."""
+"""Corners of a strength line are searched where a stretch comes to 0.98 of the worst utilisation,
+first among every eighth sample."""
 
 
 class Cycle(NamedTuple):
-    """The worst stress cycle."""
+    """Worst stress cycle of a pin's edge."""
 
     largest: float  # stress, Pa
     least: float  # stress, Pa
     section: float  # distance from the carrier's face, m
-    direction: float  # rad
+    direction: float  # direction around the pin, rad
 
 
 @dataclass(frozen=True, slots=True)
 class PinLoads:
     """Forces on a pin over a turn."""
 
-    turn: PinSamples  # at samples
+    turn: PinSamples  # forces at samples
     pin: int = 1  # from 1
 
     @property
     def one_by_one(self) -> bool:
-        """Whether no two satellites load the pin at once."""
+        """True if no two satellites load the pin at once."""
         return int(np.count_nonzero(self.turn.forces, axis=0).max()) <= 1
 
 
 @dataclass(frozen=True)
 class LoadedPin:
-    """A pin as a beam, and where satellites load it."""
+    """Pin as a beam, and the places at which satellites load it."""
 
-    beam: PinBeam  # in its supports
+    beam: PinBeam  # pin in its supports
     diameter: float  # d, m
     positions: FloatArray  # middle planes of the satellites, m, shape (K,)
     bore_diameter: float = 0.0  # d_i, m
 
     @cached_property
     def section(self) -> PinSection:
-        """Its section."""
+        """Section of the pin."""
         return PinSection(self.diameter, self.bore_diameter)
 
     @cached_property
     def area(self) -> float:
-        """Area over which a shear force has 3/4 of its largest stress as its mean, m^2."""
+        """Area, m^2, over which a shear force has a mean stress of 3/4 of its largest stress."""
         return float(self.section.shear_area)
 
     @cached_property
@@ -73,7 +73,7 @@ class LoadedPin:
 
     @cached_property
     def ends(self) -> FloatArray:
-        """Ends of loads and supports."""
+        """Ends of loads and supports along the pin, m, ascending."""
         half = self.beam.contact_length / 2
         ends = np.concatenate(([0.0], self.positions - half, self.positions + half))
         if not self.rooted:
@@ -82,13 +82,13 @@ class LoadedPin:
 
     @property
     def rooted(self) -> bool:
-        """Whether it bends most at its root: a cantilever, whose satellites all push it one way."""
+        """True for a cantilever, which bends most at its root under loads of one direction."""
         return self.beam.rooted
 
     @cached_property
     def bent(self) -> FloatArray:
-        """Sections at one of which a load that is alone bends most, m: where it has no shear force,
-        and the supports.
+        """Sections at one of which a single load bends the pin most, m: sections without shear
+        force, and supports.
         """
         if self.rooted:
             return np.zeros(1)
@@ -97,7 +97,7 @@ class LoadedPin:
         return np.array([0.0, *none, self.beam.span])
 
     def by_unit(self, what: str, x: FloatArray) -> FloatArray:
-        """What a unit of each load does at sections, by its name of `PinBeam`, shape (..., K)."""
+        """Result of a `PinBeam` method at sections by a unit of each load, shape (..., K)."""
         return np.asarray(getattr(self.beam, what)(x[..., None], self.positions))
 
     @cached_property
@@ -107,8 +107,8 @@ class LoadedPin:
 
     @cached_property
     def effects(self) -> FloatArray:
-        """What a unit of each load does, K rows each: force, deflection, m, and slope, rad, at the
-        satellites; then the mean shear stress at `ends` and the bending stress at `bent`, Pa.
+        """Effects of a unit of each load in rows: K forces, K deflections, m, and K slopes, rad, at
+        the satellites; then mean shear stresses at `ends` and bending stresses at `bent`, Pa.
         """
         return np.concatenate(
             (
@@ -121,13 +121,8 @@ class LoadedPin:
         )
 
     def stretches(self, convex: bool = True) -> FloatArray:
-        """Stretches of the pin that may hold what is largest, shape (2, s).
-
-        Parameters
-        ----------
-        convex : bool
-            Whether that is convex in the moment: between loads, where the moment changes evenly,
-            it is largest at an end then.
+        """Stretches of the pin that may hold the largest value, m, shape (2, s): only loaded ones
+        and the ends of the pin for a value that is convex in the moment.
         """
         if self.rooted:
             return np.zeros((2, 1))
@@ -145,27 +140,27 @@ class LoadedPin:
         return found
 
     def shears(self, x: FloatArray) -> FloatArray:
-        """Mean shear stress of the same, Pa."""
+        """Mean shear stress at sections by a unit of each load, Pa."""
         found: FloatArray = self.by_unit("shear", x) / self.area
         return found
 
     def changes(self, turn: PinSamples) -> tuple[float, float]:
-        """Largest second and first derivative of the bending stress along the pin."""
+        """Bounds of the second and the first derivative of the bending stress along the pin."""
         most = float(np.abs(turn.forces).sum(axis=0).max()) / self.modulus
         return most / float(self.beam.contact_length), most
 
     def largest(self, loads: PinLoads) -> FloatArray:
-        """Largest `effects` over the turn."""
+        """Largest size of each of `effects` over the turn."""
         return loads.turn.largest(np.abs(loads.turn.sums(self.effects)))
 
     def bending(self, loads: PinLoads) -> Place:
-        """Largest bending stress of any section, Pa."""
+        """Largest bending stress of any section, Pa, and its place."""
         found = self._along(loads, lambda turn, x: np.abs(turn.sums(self.moments(x))), 0.0)
         assert found is not None
         return found
 
     def equivalent(self, loads: PinLoads, beyond: float) -> float:
-        """Largest equivalent stress of any section, Pa; at least the one beyond which it counts."""
+        """Largest equivalent stress, Pa; between two supports `beyond` if none is larger."""
 
         def stress(turn: PinSamples, x: FloatArray) -> FloatArray:
             sums = turn.sums(self.moments(x)), turn.sums(self.shears(x))
@@ -182,7 +177,7 @@ class LoadedPin:
         measure: Callable[[PinSamples, FloatArray], FloatArray],
         beyond: float,
     ) -> Place | None:
-        """Largest measure of any section over the turn."""
+        """Largest measure of any section over the turn; None if none is larger than `beyond`."""
         turn, (curvature, steepest) = loads.turn.loaded, self.changes(loads.turn)
 
         def value(at: Cells) -> tuple[FloatArray, FloatArray]:
@@ -201,22 +196,7 @@ class LoadedPin:
         return found and settled(value=value, found=found, stretches=ends)
 
     def cycle(self, loads: PinLoads, strength: FatigueStrength, beyond: float) -> Cycle | None:
-        """The worst stress cycle of any point of the edge.
-
-        Parameters
-        ----------
-        loads : PinLoads
-            Forces over the turn.
-        strength : FatigueStrength
-            What it is judged by.
-        beyond : float
-            Utilisation up to which a cycle does not count.
-
-        Returns
-        -------
-        Cycle or None
-            None where there is no such cycle.
-        """
+        """Worst stress cycle at any point of the edge; None if no utilisation is above `beyond`."""
         stretches = self.stretches(convex=strength.criterion != "fkm_haigh")
         search = _CycleSearch(self, loads.turn, strength)
         found = search.worst(stretches, beyond)
@@ -228,11 +208,11 @@ class LoadedPin:
 
 
 class _CycleSearch:
-    """The worst cycle of a pin's edge over sections and directions."""
+    """Search for the worst cycle of a pin's edge over sections and directions."""
 
     def __init__(self, pin: LoadedPin, turn: PinSamples, strength: FatigueStrength) -> None:
         self.pin, self.turn, self.strength = pin, turn, strength
-        # whether the line may have a corner: the guideline's is less steep beyond R = 0 and R = 0.5
+        # The FKM guideline's strength line has corners: it is less steep beyond R = 0 and R = 0.5.
         always = bool(turn.forces.any(axis=0).all())
         self.corners = strength.criterion == "fkm_haigh" and always
         self.left = self.rough = turn.thinned(FEWER).loaded
@@ -240,7 +220,7 @@ class _CycleSearch:
         self.steep = self._used(self.curvature, 0.0) + self._used(0.0, -self.curvature)
 
     def worst(self, stretches: FloatArray, beyond: float) -> Place | None:
-        """The worst place of stretches beyond a utilisation; at a corner of the line about it."""
+        """Worst place of stretches beyond a utilisation; approximate beside a corner."""
         self.left = self.rough
         about = largest_of_cells(
             value=self.value,
@@ -269,8 +249,8 @@ class _CycleSearch:
         return found and settled(value=self.value, found=found, stretches=stretches)
 
     def along_corners(self, stretches: FloatArray, found: Place) -> Place:
-        """The worst place where the line may have a corner, from which utilisation falls at once:
-        in each section the worst direction, of all sections the worst; a few samples come first.
+        """Worst place where the strength line may have a corner, from which utilisation falls off
+        steeply: the worst section, each by its worst direction, first among a few samples.
         """
         for stretch in stretches[:, stretches[1] > stretches[0]].T:
             about = self.worst(stretch[:, None], NEARLY * found.value)
@@ -285,7 +265,7 @@ class _CycleSearch:
     def about_corner(
         self, about: Place, stretch: FloatArray, turn: PinSamples, part: float, angle: float
     ) -> Place:
-        """The worst place about one, within a part of its stretch and an angle, of some samples."""
+        """Worst place within a part of its stretch and an angle, rad, about another."""
         low, high = stretch.tolist()
         length = part * (high - low)
         section, direction = np.array(about[1:])[:, None]
@@ -305,17 +285,17 @@ class _CycleSearch:
         return Place(float(height), float(x), float(directions(np.array([x]))[0][0]))
 
     def cycle(self, place: Place) -> Cycle:
-        """The cycle at a place."""
+        """Stress cycle at a place."""
         self.left = self.turn
         section, direction = np.array(place[1:])[:, None]
         (top,), (bottom,) = self.ends(section, direction)
         (stress,), chi = self.stress(section, direction), place.direction
         if math.isclose(top, -bottom) and stress.argmax() > stress.argmin():
-            chi += math.pi  # of two points alike that which is pulled first
+            chi += math.pi  # the one of two equal points that is pulled first
         return Cycle(float(top), float(bottom), place.section, chi)
 
     def stress(self, x: FloatArray, chi: FloatArray) -> FloatArray:
-        """Stress of sections in directions at the samples that are left."""
+        """Stress at sections in directions at the samples left, Pa."""
         ways = np.stack((np.cos(chi), np.sin(chi)), axis=1)[..., None]
         arms = self.pin.moments(x)[:, None] * ways
         found: FloatArray = arms.reshape(len(x), -1) @ self.parts
@@ -323,16 +303,16 @@ class _CycleSearch:
 
     @property
     def parts(self) -> FloatArray:
-        """Parts of the forces along both axes at these samples, shape (2*K, n)."""
+        """Components of the forces along both axes at the samples left, N, shape (2*K, n)."""
         return np.concatenate((self.left.forces.real, self.left.forces.imag))
 
     def ends(self, x: FloatArray, chi: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Largest and least stress of sections in directions."""
+        """Largest and least stress at sections in directions, Pa."""
         found = self.stress(x, chi)
         return self.left.largest(found), -self.left.largest(-found)
 
     def value(self, at: Cells) -> tuple[FloatArray, FloatArray]:
-        """Utilisation at corners of cells, and how large it may be within."""
+        """Utilisation at corners of cells, and its upper bound within the cells."""
         top, bottom = self.ends(at.section, at.direction)
         use = self._used(top, bottom)
         bound = (use + self.steep * at.length**2 / 8) / math.cos(at.angle / 2)
@@ -351,5 +331,5 @@ class _CycleSearch:
         self.left = self.left.only(((found >= top - reach) | (found <= bottom + reach)).any(axis=0))
 
     def _used(self, top: Number, bottom: Number) -> Number:
-        """Share of the strength that a cycle between two stresses takes."""
+        """Utilisation of the strength by a cycle between two stresses, Pa."""
         return self.strength.utilisation((top - bottom) / 2, (top + bottom) / 2)

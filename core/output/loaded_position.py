@@ -1,4 +1,4 @@
-"""One position of the mechanism as it is made: forces, lag, play, stiffness, pressures."""
+"""One position of the real mechanism: forces, lag, play, stiffness and pressures."""
 
 import math
 from dataclasses import dataclass
@@ -13,20 +13,20 @@ from core.output.real_mechanism import RealMechanism
 from core.output.stage import Solved
 
 LARGE_ROTATION = 0.1
-"""Movement of the pins over the eccentricity above which the position is a strange one."""
+"""Movement of the pins over the eccentricity above which a notice says that the lag is large."""
 
 DEPTHS = 0.5, 1.5
-"""Reference depths over the hole's radius within which a half-space stands for a hole."""
+"""Range of the reference depth, over the hole's radius, in which a half-space stands for a hole."""
 
 
 @dataclass(frozen=True, slots=True)
 class LoadedPosition:
-    """The mechanism at one crank angle under load."""
+    """Mechanism at one crank angle under load."""
 
-    crank_angle: float  # as asked, rad
+    crank_angle: float  # crank angle as given, rad
     rotation: float  # lag of the output behind its ideal angle, rad; negative in reverse
-    force: tuple[tuple[float, ...], ...]  # of each pair, N, K x N
-    # Share of each satellite in the torque, N*m, K values; negative where others drag it.
+    force: tuple[tuple[float, ...], ...]  # force of each pair, N, K x N
+    # Share of each satellite in the torque, N*m, K values; negative where others drag a satellite.
     satellite_torque: tuple[float, ...]
     # Lag of the output behind each satellite, rad, K values, where these turn against each other.
     satellite_rotation: tuple[float, ...] | None
@@ -36,46 +36,34 @@ class LoadedPosition:
     # Smallest possible worst approach of the unloaded pairs, m, where they press.
     interference: float | None
     stiffness: float  # dT/dtheta, N*m/rad
-    contacts: tuple[HertzContact, ...]  # that are pressed most, one in each direction of the torque
-    accuracy: Accuracy  # of the forces, over the largest
+    contacts: tuple[HertzContact, ...]  # hardest contact in each direction of the torque
+    accuracy: Accuracy  # error of the forces over the largest force
     notices: tuple[Notice, ...]
 
     @property
     def max_pressure(self) -> float:
-        """The largest pressure, Pa."""
+        """Largest pressure, Pa."""
         return float(max(each.governing_pressure for each in self.contacts))
 
 
 def loaded_position(
     *, real: RealMechanism, crank_angle: float, output_torque: float
 ) -> LoadedPosition:
-    """Forces of all pairs, lag, play and stiffness at one crank angle.
+    """Forces of all pairs, lag, play and stiffness at one crank angle, rad.
+
+    Left out are friction, speed, tilt of the discs, deformation of discs, carrier and crankshaft,
+    and heat. Without clearance, bending and deviations and with ``exact=False`` the forces of a
+    power law are those of Yanchevskiy and Niekhoroshykh 2021, eq. (10), with the law's exponent.
 
     Parameters
     ----------
-    real : RealMechanism
-        The mechanism.
-    crank_angle : float
-        Crank angle, rad.
     output_torque : float
         Torque T on the output link, N*m, not 0; negative in reverse.
 
-    Returns
-    -------
-    LoadedPosition
-
     Raises
     ------
-    InvalidInput
-        If an input is out of range.
     ImpossibleMechanism
-        See `RealMechanism.solved`.
-
-    Notes
-    -----
-    Left out: friction, speed, tilting and edge load, deformation of discs and carrier, a second
-    flange, growth by heat, play and compliance of mesh and bearings. First order, no clearance:
-    Yanchevskiy and Niekhoroshykh 2021, eq. (10), with the law's exponent.
+        If the position has no stable equilibrium within the contact law; see `Stage.solved`.
 
     Examples
     --------
@@ -140,29 +128,14 @@ def _behind(real: RealMechanism, room: Solved) -> FloatArray:
 
 
 def _torques(real: RealMechanism, room: Solved) -> FloatArray:
-    """Part of each satellite in the torque, N*m, shape (K,): of its forces times what a turn of the
-    output moves their contacts.
-    """
+    """Share of each satellite in the torque by its forces and their levers, N*m, shape (K,)."""
     levers = room.work.grad[:, 0] * room.forces[0]
     found: FloatArray = levers.reshape(real.mechanism.satellites, -1).sum(axis=1)
     return found
 
 
 def least_interference(*, real: RealMechanism, psi: float) -> float:
-    """Smallest possible worst approach of the unloaded pairs at a wave angle, m.
-
-    Parameters
-    ----------
-    real : RealMechanism
-        The mechanism.
-    psi : float
-        Wave angle, rad.
-
-    Returns
-    -------
-    float
-        Positive where pairs press without load.
-    """
+    """Smallest possible worst approach of unloaded pairs, m; positive where pairs press."""
     apart = range(real.mechanism.satellites) if real.support.given_shares else (None,)
     least = min(float(real.rooms.rooms(np.array([psi]), disc)[0][0]) for disc in apart)
     return -least - real.support.loose
@@ -171,22 +144,9 @@ def least_interference(*, real: RealMechanism, psi: float) -> float:
 def notices(
     *, real: RealMechanism, lag: float, pressed: bool, contact: HertzContact
 ) -> tuple[Notice, ...]:
-    """Limits that a position strains.
-
-    Parameters
-    ----------
-    real : RealMechanism
-        The mechanism.
-    lag : float
-        Size of the lag, rad.
-    pressed : bool
-        Whether pairs press without load.
-    contact : HertzContact
-        The contact with the largest pressure.
-
-    Returns
-    -------
-    tuple of Notice
+    """Notices of a position: a large lag (its size in rad), pairs that press without load,
+    clearance of tie ring joints that is left out, an unusual reference depth, and the hardest
+    contact's own.
     """
     found = []
     if lag * real.pin_circle_radius > LARGE_ROTATION * real.eccentricity:

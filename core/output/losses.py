@@ -2,8 +2,14 @@
 
 A satellite moves against the output link in a circle of the eccentricity's radius without turning,
 so every contact slides at ``e*w``, w being the crank's speed against the output link. All forces of
-a satellite act along its crank; the loss is the friction coefficient times the sliding speed times
-the sum of all contact forces, and that sum is the only thing here that changes over the turn.
+a satellite act along its crank. The loss is the friction coefficient times the sliding speed times
+the sum of all contact forces, and only this sum changes over the turn.
+
+The sum over F0 is ``sum c^v / sum c^(1 + v)`` with the cosines c of the driving pairs. For v = 1
+and an even number m of evenly spaced phases ``sum c^2 = m/4`` is constant: the mean is then 4/pi
+exactly, the largest value ``4/(m*sin(pi/m))``, the least ``4/(m*tan(pi/m))``. In all other cases
+the mean is integrated from one switching angle to the next by the tanh-sinh rule, because a cosine
+to the power v has no derivatives at a switching angle and this rule needs none there.
 """
 
 import math
@@ -26,69 +32,32 @@ COARSEST, FINEST = 3, 9
 """Levels of the first and the last rule: 56 and some 3500 nodes a segment."""
 
 MANY = 200
-"""Driving pairs above which a quarter of the nodes do at first: each pair changes little."""
+"""Number of driving pairs above which a quarter of the nodes is enough at first, as each pair
+changes little."""
 
 SWITCHING = 1e-13
-"""Cosine below which a pair begins or ends to drive; phases farther off by merging, in turns, are
-not the same by rounding only."""
+"""Cosine below which a pair begins or ends to drive. Phases merged over a larger distance, in
+turns, differ by more than rounding."""
 
 AT_SWITCH = 2 * PHASE_ROUNDING
-"""How near a place is to where a pair begins or ends to drive if it is there but for rounding,
-turns. Below the exponent 1, where a power of next to nothing is much, its cosine is 0 there."""
+"""Distance from a switching angle, in turns, that rounding can make. For exponents between 0 and 1,
+where a power of a tiny cosine is not small, the cosine is 0 within this distance."""
 
 
 @dataclass(frozen=True, slots=True)
 class TotalForce:
-    """Sum of the contact forces of all pairs over F0, over the turn of the wave.
+    """Sum of all contact forces over F0; pairs at their switching angle count for v = 0 only."""
 
-    Where pairs switch neither of them drives for v > 0; for v = 0 both do.
-    """
-
-    mean: float  # over the whole turn
-    least: float  # ranges shorter than `SAME` are left out
-    largest: float  # likewise
+    mean: float  # mean over the whole turn
+    least: float  # least value; ranges shorter than `SAME` are left out
+    largest: float  # largest value; ranges shorter than `SAME` are left out
     accuracy: Accuracy
 
 
 @lru_cache(maxsize=1024)
 def total_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> TotalForce:
-    """Sum of the contact forces over F0: ``sum c^v / sum c^(1 + v)`` over the driving pairs.
-
-    For v = 1 and an even number m of evenly spaced phases ``sum c^2 = m/4`` is constant; then the
-    mean is 4/pi exactly, the largest ``4/(m*sin(pi/m))``, the least ``4/(m*tan(pi/m))``. Else the
-    mean is integrated segment by segment between switching angles, at which a cosine to the power v
-    has no derivatives, by the tanh-sinh rule, which needs none there.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    force_exponent : float
-        Exponent v of the force over the approach, from 0 to `MAX_FORCE_EXPONENT`.
-
-    Returns
-    -------
-    TotalForce
-
-    Raises
-    ------
-    InvalidInput
-        If the exponent is out of range.
-    ImpossibleMechanism
-        If the mechanism has a dead centre.
-
-    Notes
-    -----
-    Source of the forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10).
-
-    Examples
-    --------
-    >>> m = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
-    >>> total_force(mechanism=m).mean == 4/math.pi
-    True
-    >>> m = Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0)
-    >>> [round(total_force(mechanism=m, force_exponent=v).mean, 6) for v in (1.0, 0.0)]
-    [1.355738, 1.573646]
+    """Sum of the contact forces over F0 over the turn (Yanchevskiy and Niekhoroshykh 2021, eq. 10);
+    the module's docstring has the method. `ImpossibleMechanism` is raised at a dead centre.
     """
     peak = force_peak(mechanism, force_exponent)  # refuses what cannot be
     phases = mechanism.phases
@@ -123,9 +92,7 @@ def total_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> TotalFo
 
 
 class _Sums:
-    """Total force within one segment, over F0; places are pressure angles of the best placed pair,
-    in turns.
-    """
+    """Total force over F0 in one segment; places are the best pair's pressure angle, turns."""
 
     def __init__(self, part: Segment, exponent: float) -> None:
         self.low, self.high = part.low, part.high
@@ -150,13 +117,13 @@ class _Sums:
         return total
 
     def nodes(self, level: int) -> tuple[FloatArray, FloatArray]:
-        """Nodes and weights of a rule of the segment."""
+        """Nodes and weights of a rule for the segment."""
         near, weights = tanh_sinh_rule(level)
         below, above = self.low + self.width * near, self.high - self.width * near
         return np.concatenate((below, above[::-1])), np.concatenate((weights, weights[::-1]))
 
     def mean(self) -> tuple[float, float, int]:
-        """Mean of the total force, its error, and how often it was evaluated."""
+        """Mean of the total force, its error, and the number of evaluations."""
         enough = CONVERGED + 8 * ROUNDING * self.exponent
         _, weights = self.nodes(self.coarsest)
         _, values = self.samples
@@ -172,14 +139,14 @@ class _Sums:
 
     @cached_property
     def samples(self) -> tuple[FloatArray, FloatArray]:
-        """Nodes of the coarsest rule and the ends of the segment, and the total force there."""
+        """Nodes of the coarsest rule with both ends of the segment, and the total force there."""
         inner, _ = self.nodes(self.coarsest)
         places = np.concatenate(([self.low], inner, [self.high]))
         return places, self.ratio(places)
 
     def summits(self, sign: int) -> Iterator[tuple[float, float, float, float]]:
-        """Where samples are largest beside their neighbours, or least for the sign -1: the sample,
-        a bound of what may lie between them, and the places of the neighbours.
+        """Samples larger than their neighbours (sign 1) or smaller (sign -1), times the sign:
+        value, bound between the neighbours, places of the neighbours.
         """
         places, values = self.samples
         values = sign * values
@@ -190,7 +157,7 @@ class _Sums:
             yield values[index], values[index] + drop, places[first], places[last]
 
     def zoom(self, start: float, stop: float, sign: int) -> tuple[float, float]:
-        """Largest total force between two places, or least for the sign -1, and its place."""
+        """Largest total force times the sign between two places, and its place."""
         places, heights, _ = zoom(
             values=lambda places: sign * self.ratio(places),
             places=np.array([(start + stop) / 2]),
@@ -206,8 +173,8 @@ class _Sums:
         return float((self.weight @ ends).min() / self.weight.sum())
 
     def slope(self, place: float) -> float:
-        """By how much ``sum c^v`` changes, over itself, with the phases of all pairs, 1/rad; pairs
-        that begin or end to drive there take the place along.
+        """Relative change of ``sum c^v`` with the phases of all pairs at a place, 1/rad. Pairs that
+        begin or end to drive there are left out, as the place moves with them.
         """
         cosines = self.cosines(np.array([place]))[:, 0]
         inside = cosines > SWITCHING
@@ -223,7 +190,7 @@ Extreme = tuple[float, float, _Sums]
 
 
 def _extreme(parts: list[_Sums], sign: int) -> Extreme:
-    """The largest total force over all segments, or the least for the sign -1."""
+    """Largest total force over all segments, or least one for the sign -1."""
     summits = [(*each, part) for part in parts for each in part.summits(sign)]
     highest = max(each[0] for each in summits)
     return max(
@@ -237,7 +204,7 @@ def _extreme(parts: list[_Sums], sign: int) -> Extreme:
 
 
 def _rounding(parts: list[_Sums], phases: WavePhases, extremes: list[Extreme]) -> float:
-    """Relative error of mean and extremes by rounding, that of the phases first of all."""
+    """Relative error of mean and extremes by rounding, mainly of the phases."""
     exponent = parts[0].exponent
     # sum c^v changes by v*sum c^(v - 1) at most, which for v >= 1 is below v*n/sum c of itself; for
     # v < 1 the c^v of each pair rises by 1 and falls by 1 in a turn, and sum c^v >= sum c.
@@ -263,26 +230,26 @@ class BarePins:
     hole_radius: Number  # r_out, m
 
     def slowed(self, pin_radius: Number) -> Number:
-        """Sliding speed over that of a pin in its hole, of a radius r that touches this, m."""
+        """Ratio 1: bare pins slide at the full speed of a pin in its hole."""
         return 1.0
 
     def sleeve_speed(self, sliding: Number, pin_radius: Number) -> Number | None:
-        """Of sleeves against their pins, rad/s, by the speed of a pin in its hole, m/s."""
+        """None, as bare pins have no sleeves."""
         return None
 
     def hole_wear(self, worn: Number) -> Number:
-        """Depth of wear of the hole by its area of wear, m^2."""
+        """Depth of wear of the hole, m, by its area of wear, m^2."""
         return worn / self.hole_radius
 
 
 @dataclass(frozen=True, slots=True)
 class Sleeves:
-    """Sleeves on the pins, or rolling bearings, which roll in the holes and do not wear these."""
+    """Sleeves on the pins, or rolling bearings, which roll in the holes and do not wear them."""
 
     diameter: Number  # 2*r_p of the pin in them, m, < 2*r_s
 
     def slowed(self, pin_radius: Number) -> Number:
-        """The diameter of the pin over that of the sleeve."""
+        """Sliding speed over that of a bare pin: diameter of the pin over that of the sleeve."""
         check_positive(diameter=self.diameter)
         room = self.diameter < 2 * pin_radius
         if not every(room):
@@ -291,11 +258,11 @@ class Sleeves:
         return self.diameter / (2 * pin_radius)
 
     def sleeve_speed(self, sliding: Number, pin_radius: Number) -> Number | None:
-        """As fast as the sleeve rolls."""
+        """Speed of the sleeves against their pins, rad/s, by the speed of a bare pin, m/s."""
         return sliding / pin_radius
 
     def hole_wear(self, worn: Number) -> Number:
-        """Nothing slides there: not known."""
+        """Raise `NotKnown`: nothing slides in the hole."""
         raise NotKnown("wear_unknown")
 
 
@@ -305,7 +272,7 @@ class PinLosses:
 
     relative_speed: Number  # w of the crank against the output link, rad/s
     sliding_speed: Number  # v of the pin in the hole, or in its sleeve, m/s
-    sleeve_speed: Number | None  # of the sleeves against their pins, rad/s, where there are any
+    sleeve_speed: Number | None  # speed of sleeves against their pins, rad/s; None of bare pins
     output_power: Number  # W
     mean_total_force_ratio: Number  # mean sum of all contact forces over F0
     mean_loss: Number  # power that friction takes, W
@@ -314,30 +281,30 @@ class PinLosses:
     max_efficiency: Number  # largest over the turn
     peak_force: Number  # N
     peak_pv: Number  # pressure on projected area times speed, under the largest force, Pa*m/s
-    mean_pv: Number  # the same under the mean force of all pairs over the turn, Pa*m/s
-    # Couple of the friction over the output torque, which it helps to carry: about the share by
-    # which the loss is too large.
+    mean_pv: Number  # pv under the mean force of all pairs over the turn, Pa*m/s
+    # Couple of the friction over the output torque, which this couple helps to carry: the loss is
+    # too large by about this share.
     friction_couple: Number
     wear_rate: Number | None  # k, m^2/N, where it is given
     rubbed: Number  # way that rubs over the life, over 2*pi and the contact's length, dimensionless
-    pin_radius: Number  # that touches the hole, m
-    rubbing: BarePins | Sleeves  # bare pins in their holes, or on sleeves
+    pin_radius: Number  # radius that touches the hole, m
+    rubbing: BarePins | Sleeves  # bare pins, or pins with sleeves
     accuracy: Accuracy
-    notices: tuple[Notice, ...]  # that the pressure is not that of a bush
+    notices: tuple[Notice, ...]  # results that are hardly known
 
     @property
     def pin_wear(self) -> Number:
-        """Depth of wear of the pin where it is deepest, m; `NotKnown` without a wear rate."""
+        """Largest depth of wear of the pin, m; `NotKnown` without a wear rate."""
         return self._worn / self.pin_radius
 
     @property
     def hole_wear(self) -> Number:
-        """The same of the hole; `NotKnown` of sleeves, which roll in it."""
+        """Depth of wear of the hole, m; `NotKnown` with sleeves or without a wear rate."""
         return self.rubbing.hole_wear(self._worn)
 
     @property
     def _worn(self) -> Number:
-        """Area that is worn away under the largest force, m^2."""
+        """Area worn away under the largest force, m^2."""
         rate = required(self.wear_rate, "wear_unknown", "friction.wear_rate")
         return rate * self.peak_force * self.rubbed
 
@@ -361,65 +328,36 @@ def pin_losses(
 ) -> PinLosses:
     """Sliding speed, loss, efficiency, pv and wear of the pins in the holes.
 
-    With ``w = w_in*(1 + 1/u)`` pins slide in the holes at ``v = e*w``. A sleeve of outer radius
-    r_s on a pin of radius r_p rolls in the hole, turns at ``w*e/r_s`` and slides on its pin at
+    With ``w = w_in*(1 + 1/u)`` pins slide in the holes at ``v = e*w``. A sleeve of outer radius r_s
+    on a pin of radius r_p rolls in the hole, turns at ``w*e/r_s`` and slides on its pin at
     ``v = e*w*r_p/r_s``. The loss is ``P = mu*v*sum F``, so that
 
         eta = 1/(1 + mu*(e/R)*(u + 1)*(r_p/r_s)*sum F/F0),   pv = F/(2*r*b)*e*w
 
     with the radius r that touches the hole. The contact sweeps each surface once in a turn of w:
-    the depth of wear in it is ``k*F*e/(b*r)`` on the pin, with sleeves also, and
-    ``k*F*e/(b*r_out)`` in the hole.
+    its depth of wear is then ``k*F*e/(b*r)`` on the pin, with or without sleeve, and
+    ``k*F*e/(b*r_out)`` in the hole (Archard 1953).
+
+    Forces are the ideal ones of Yanchevskiy and Niekhoroshykh 2021, eq. (10). To the first order in
+    mu, for v = 1 and an even number of phases, eta is eq. (5) of Wang, Luo and Su 2016. Friction
+    does not change the forces here, though its couple ``mu*r*sum F`` helps the torque. Heat, oil
+    film and seals are left out. `ImpossibleMechanism` is raised if the mechanism has a dead centre.
 
     Parameters
     ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    output_torque : float or array
-        Torque T on the pins, N*m.
-    pin_circle_radius : float or array
-        Radius R of the circle of pin centres, m, > 0.
     input_speed : float or array
-        Speed w_in of the crank against the ring, rad/s; 0 where they turn together.
-    eccentricity : float or array
-        Eccentricity e of the cranks, m, > 0.
+        Speed w_in of the crank against the ring, rad/s; 0 where both turn together.
     pin_radius : float or array
         Radius that touches the hole, m, > 0: r_in of the pin, or r_s of its sleeve.
-    contact_length : float or array
-        Length b of the contact, m, > 0.
-    friction_coefficient : float or array
-        Friction coefficient mu of the surfaces that slide, >= 0.
-    rubbing : BarePins or Sleeves
-        What slides: the pins in their holes, or in their sleeves.
     distribution_factor : float or array
-        Factor K_alpha on the largest force, by an uneven share, >= 1: of pv and wear where they are
+        Factor K_alpha >= 1 of uneven sharing on the largest force, for pv and wear where they are
         largest; the loss is that of all forces together.
     wear_rate : float or array, optional
         Wear rate k: volume over force and distance, m^2/N.
     life : float or array
-        Time in which it wears, s, >= 0.
+        Time in which pins wear, s.
     output_power : float or array, optional
-        Power of the output, W, > 0; ``T*w_in/u``, that of the pins, where not given.
-
-    Returns
-    -------
-    PinLosses
-
-    Raises
-    ------
-    InvalidInput
-        If a size is out of range or there is no room for a sleeve.
-    ImpossibleMechanism
-        If the mechanism has a dead centre.
-
-    Notes
-    -----
-    Derived from the ideal forces, Yanchevskiy and Niekhoroshykh 2021, eq. (10); to the first order
-    in mu and for v = 1 and an even number of phases it is eq. (5) of Wang, Luo and Su 2016. Wear by
-    Archard 1953. Friction is taken not to change the forces: its own couple, ``mu*r*sum F``, helps
-    the torque. Heat, oil film and seals are left out.
+        Power of the output, W; ``T*w_in/u``, that of the pins, where not given.
 
     Examples
     --------
@@ -503,23 +441,7 @@ class LossCurves:
 def loss_curves(
     *, losses: PinLosses, mechanism: Mechanism, force_exponent: float, crank_angle: FloatArray
 ) -> LossCurves:
-    """Loss and efficiency at given crank angles.
-
-    Parameters
-    ----------
-    losses : PinLosses
-        Those of one design.
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    crank_angle : array, shape (n,)
-        Crank angles, rad.
-
-    Returns
-    -------
-    LossCurves
-    """
+    """Loss and efficiency at crank angles, rad, shape (n,), from the losses of a design."""
     ratios = force_ratios(
         mechanism=mechanism, crank_angles=crank_angle, force_exponent=force_exponent
     )
