@@ -439,18 +439,13 @@ class Members:
 
     @property
     def output_ratio(self) -> float | None:
-        """Speed of the crank over that of the output; None if both are driven, as their speeds
-        decide.
-
-        The shafts of a coupling turn alike.
-        """
+        """Speed of the crank over that of the output; 1 for a coupling, None if both are driven."""
         ratios = {"pins": -self.ratio, "ring": self.ratio + 1, "coupling": 1.0}
         return ratios.get(self.output)
 
     @property
     def pin_share(self) -> float:
-        """Torque on the pins over the output torque: ``u/(u + 1)`` if the ring is the output,
-        otherwise 1.
+        """Torque on the pins over output torque: ``u/(u + 1)`` if the ring is the output, or 1.
 
         Angles of the output are this part of the angles that the satellites turn against the pins.
         """
@@ -484,8 +479,7 @@ class Members:
     def speeds(
         self, *, crank: float, ring: float | None = None, carrier: float | None = None
     ) -> MemberSpeeds:
-        """Speeds of all members, from that of the crank, rad/s; a coupling's shafts turn at that
-        speed.
+        """Speeds of all members, from that of the crank or of a coupling's shafts, rad/s.
 
         If both are the output, one of `ring` and `carrier` is needed; `NotKnown` is raised without
         it.
@@ -522,7 +516,7 @@ class Members:
 
 
 def felt(*, clearance: float, hole_radius: float) -> float:
-    """Clearance by the sizes, negative for interference; 0 if it is only their rounding.
+    """Clearance, negative for interference; 0 within the rounding of the sizes.
 
     >>> felt(clearance=0.01 - 0.008 - 0.002, hole_radius=0.01)
     0.0
@@ -615,8 +609,7 @@ LIKE_ECCENTRICITY = 0.5
 def slip_notices(
     *, pin_radius: float, hole_radius: float, eccentricity: float | None
 ) -> tuple[Notice, ...]:
-    """Notices of usual typing slips in sizes, m, whose clearance is about as large as the
-    eccentricity.
+    """Notices of likely typing slips in sizes, m, with an unusual clearance or interference.
 
     Each notice has the sizes that would have been meant, in mm, and is given only if they fit. The
     bands about each slip are no limits of mechanics: they leave room for an intended clearance of 0

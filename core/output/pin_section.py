@@ -7,7 +7,7 @@ The wall is a ring under a line load w that the shear flow of the pin holds. The
 ``M = w*R_m*(1/2 + cos(a)/4 - (pi - a)/2*sin(a))/pi``, most under the load, by 3/(4*pi). The stress
 is that of a curved beam, ``M*(t/2 - s)/(t*s*r_i)`` with ``s = R_m - t/ln(r_o/r_i)``. Derived. The
 exact stress of plane elasticity is exceeded by 1.5 % for a bore of 0.9 d, 6 % of 0.7 d, 16 % of 0.5
-d and 37 % of 0.3 d; a thin ring's ``6*M/t^2`` would be too small.
+d, 37 % of 0.3 d; a thin ring's ``6*M/t^2`` would be too small.
 """
 
 import math
@@ -64,8 +64,7 @@ class PinSection:
         return math.pi * (self.diameter**3 - self.bore_diameter**4 / self.diameter) / 32
 
     def shear_coefficient(self, poissons_ratio: Number) -> Number:
-        """Shear coefficient k of Timoshenko's beam: 10/9 of a solid pin, 1.86 of a thin tube of
-        steel.
+        """Shear coefficient k of Timoshenko's beam: 10/9 of a solid pin, 1.86 of a thin tube.
 
         The factor for a tube is Cowper's kappa (1966, recomputed from Saint-Venant's flexure) of a
         solid section over that of a tube,

@@ -202,8 +202,6 @@ def pin_stresses(
 
     Parameters
     ----------
-    mechanism : Mechanism
-        Pins, discs, ratio.
     force_exponent : float
         Exponent v of the force over the approach, for the ideal forces.
     output_torque : float
@@ -219,8 +217,6 @@ def pin_stresses(
     satellite_positions : tuple of float
         Middle plane z of each disc from the carrier's face, m, at least b/2, and at most
         ``L - b/2`` with a span L.
-    material : ElasticMaterial
-        Material of the pin.
     support : {"cantilever", "supported", "fixed", "tie_ring"}
         Support of the pin, see `core.output.pin_beam.Support`.
     span : float, optional

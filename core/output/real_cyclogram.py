@@ -1,5 +1,4 @@
-"""Pairs that really carry under a torque in the mechanism as made: which, when, and how many
-together.
+"""Pairs that carry under a torque in the mechanism as made, when, and how many together.
 
 A pair carries where its force is above zero. All forces repeat with the wave, so that one turn of
 the wave is solved on a grid. The ends of carrying are found by bisection between the grid's places.

@@ -1,5 +1,4 @@
-"""Deviations of parts, and the room of pins in their holes by geometry alone: whether parts go
-together and turn.
+"""Deviations of parts, and the room of pins in their holes, which says if parts go together.
 
 The lag is the angle by which the output link is behind its ideal angle. At a lag, the centre P of a
 pin and the centre H of its hole are ``|P*exp(-i*lag) - H|`` apart, which must not exceed the
@@ -146,11 +145,10 @@ class Deviations:
         )
 
     def at_next_holes(self, mechanism: Mechanism) -> "tuple[Deviations, tuple[int, ...]]":
-        """Deviations with each satellite put on the pins by the holes next to them, and the shift
-        in holes.
+        """Deviations with each satellite on the pins next to its holes, and the K shifts.
 
         A satellite that is turned against the first one by more than half a pitch of its holes goes
-        onto the pins by other holes. The holes are renumbered so, and K numbers say by how many.
+        onto the pins by other holes. The holes are renumbered, and the shifts are numbers of holes.
         """
         pins, pitch = mechanism.pins, 2 * math.pi / mechanism.pins
         zeros = (0.0,) * mechanism.satellites

@@ -1,7 +1,7 @@
 """Solved positions of pins and discs that share a torque.
 
 The lag of the output is the angular deflection behind its ideal angle, rad. Angles of the engine
-are wave angles within half a turn around 0, rad.
+are wave angles, rad.
 """
 
 import math
@@ -63,8 +63,7 @@ class Solved:
         )
 
     def at(self, places: FloatArray, torque: float, *, play: bool = True) -> int:
-        """Solve positions at m angles of the engine and return the first that cannot be solved, or
-        -1.
+        """Solve positions at m angles of the engine; return the first unsolvable one, or -1.
 
         The torque is in N*m, negative in reverse. True for `play` also solves the play.
         """
@@ -231,8 +230,7 @@ class Stage:
         return {}
 
     def free(self, places: Sequence[float], way: float) -> tuple[FloatArray, BoolArray]:
-        """Least and largest lag without load, rad, shape (m, 2), and True where pairs press, shape
-        (m,).
+        """Least and largest lag without load, rad, shape (m, 2), and pressing pairs, shape (m,).
 
         The sign of `way` is the sense in which lags count. Each set of places is solved once.
         """

@@ -100,8 +100,7 @@ def summits(
 
 
 def highest(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[Summit, float]:
-    """Highest summit of a function without spikes, and the part of it that the coarse grid would
-    miss.
+    """Highest summit of a function without spikes, and the height that the coarse grid misses.
 
     The fine grid has all places of the coarse one.
     """

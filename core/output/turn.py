@@ -43,10 +43,10 @@ of the engine, rad.
 
 
 class Turn:
-    """Mechanism under a torque on the output link, N*m, over the turn; refusals as in
-    `Stage.solved`.
+    """Mechanism under a torque on the output link, N*m, over the turn.
 
-    The torque is not 0 and negative in reverse. The lost motion is taken under `share` of it.
+    The torque is not 0 and negative in reverse; `Stage.solved` says what is refused. The lost
+    motion is taken under `share` of it.
     """
 
     def __init__(self, real: Stage, torque: float, share: float = 0.03) -> None:

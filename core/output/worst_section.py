@@ -1,9 +1,9 @@
 """Search along and around a pin for the largest value, in cells that are cut ever smaller.
 
 The search knows a bound of the value within each cell and drops cells that cannot hold the largest
-one. Along the pin the moment is curved by the line load alone, ``M'' = F/b``. A component that is
-largest over all directions falls to ``cos(a)`` of itself at an angle a beside; so does a
-utilisation that is the largest sum of such components.
+one. Along the pin the moment is curved by the line load alone, ``M'' = F/b``. At an angle a beside
+the direction where a component is largest, the component and any utilisation that is a largest sum
+of components have fallen to ``cos(a)``.
 """
 
 from collections.abc import Callable
