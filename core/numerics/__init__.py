@@ -1,8 +1,8 @@
-"""Numerical tools that know nothing of what they are used for.
+"""Numerical tools that know nothing of mechanics.
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-quadrature   integration rules with honest error estimates
-extremes     the second look for the highest summit over a turn
-inverse      one input solved for one result, with jumps and several solutions
+quadrature   integration rules whose error is known beforehand
+extremes     search for the largest value over a period
+inverse      search for the input at which a result meets a target
 """

@@ -1,8 +1,8 @@
-"""What is largest over a turn: about samples, ever closer, and by a second look at other places.
+"""Largest value of a function over a period: narrowing about samples, and a second look.
 
-A finer grid that keeps the places of a coarser one misses what that missed: a summit between two of
-them whose slopes hide behind a neighbour's. Even places of another number, moved by an irrational
-part of their distance, share nothing with the first.
+A finer grid that contains a coarser one can miss a summit between two of the coarse places whose
+slopes a neighbouring summit hides. The second look therefore uses even places in another number,
+shifted by an irrational part of their spacing, which share no place with the first grid.
 """
 
 import math
@@ -13,51 +13,35 @@ import numpy as np
 from core.arrays import FloatArray
 
 MOVED = (math.sqrt(5) - 1) / 2
-"""By what part of their distance the places are moved: none of a grid's, by the golden section."""
+"""Shift of the second look's places over their spacing: the golden section meets no grid."""
 
 NEARLY = 0.05
-"""How far below the first look's largest value, as a part of the range, a summit is narrowed."""
+"""Part of the range of values: summits farther below the known largest value are not narrowed."""
 
 LOOKED = 8
-"""Most summits that are narrowed."""
+"""Largest number of summits that a second look narrows."""
 
 CLOSER = 24
-"""Narrowings at most about a sample beside a jump."""
+"""Largest number of narrowings about a sample beside a jump."""
 
 POINTS, ZOOMS = np.linspace(-1.0, 1.0, 17), 8
-"""Places about the best one, and how often as many closer ones follow: to 6e-8 of the width."""
+"""Places over the half width, and number of zooms: the last spacing is 6e-8 of the half width."""
 
 ROUNDED = 1e-12
-"""Part of a height by which a summit may be found too low."""
+"""Relative amount by which a narrowed height may be below the sample's without a jump beside it."""
 
 LAST = len(POINTS) - 1
 
 CLOSER_BY = float(POINTS[1] - POINTS[0])
-"""By how much closer they are each time."""
+"""Width of a zoom over that of the zoom before."""
 
 Narrow = Callable[[float, float], tuple[float, float, float]]
-"""Place and height of the largest value between two places, and its error."""
+"""Function that returns place, height and error of the largest value between two places."""
 
 
 def other_places(*, count: int, first: float = 0.0, period: float = 2 * math.pi) -> FloatArray:
-    """Even places over a period, moved off those that begin at the first.
+    """Even places over a period, rad, that share none with a grid from `first`; shape (count,).
 
-    Parameters
-    ----------
-    count : int
-        How many: a prime shares no place with a grid of fewer or of a multiple of others.
-    first : float
-        Where the other grid begins, rad.
-    period : float
-        Of what is looked at, rad.
-
-    Returns
-    -------
-    array, shape (count,)
-        rad.
-
-    Examples
-    --------
     >>> other_places(count=3).round(3).tolist()
     [1.294, 3.389, 5.483]
     """
@@ -72,30 +56,25 @@ def zoom(
     low: float = -math.inf,
     high: float = math.inf,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """The largest values about some places: the best of some points, then of as many closer ones.
+    """Places, heights and errors of the largest values about some places, each of shape (n,).
+
+    The best of 17 points about each place is the centre of as many closer points, eight times. The
+    error is the fall from the height to the lower one of the last neighbouring points, which bounds
+    a cusp between them.
 
     Parameters
     ----------
     values : callable
         Values at places, shape (m,).
     places : array, shape (n,)
-        Where to look.
+        Centres of the search.
     width : float or array, shape (n,)
-        How far about them.
+        Half width of the search about each centre.
     low, high : float
-        Ends beyond which nothing is looked at.
-
-    Returns
-    -------
-    places, heights : array, shape (n,)
-    errors : array, shape (n,)
-        How far the value falls to the last points beside: a cusp between them is no higher above
-        the best, and where the value is smooth that is next to nothing.
+        Limits of the places.
 
     Examples
     --------
-    A cusp at 1:
-
     >>> cusp = lambda x: -np.abs(x - 1)
     >>> place, height, error = zoom(values=cusp, places=np.array([0.8]), width=0.5)
     >>> bool(abs(place[0] - 1) < 1e-7 and -error[0] <= height[0] <= 0 and error[0] < 1e-7)
@@ -118,29 +97,10 @@ def zoom(
 def hill(
     *, place: float, height: float, low: float, high: float, narrow: Narrow
 ) -> tuple[float, float, float]:
-    """The largest value about a sample, between its neighbours.
+    """Place, height and error of the largest value about a sample, between its neighbours.
 
-    It is found where there is one hill. Where it comes out below the sample, there is a
-    jump beside it, or a plateau narrower than the places are apart: then it is looked for about
-    what is known to be highest, ever closer.
-
-    Parameters
-    ----------
-    place, height : float
-        Where the sample is, rad, and how high.
-    low, high : float
-        Its neighbours, rad.
-    narrow : callable
-        The largest value between two places.
-
-    Returns
-    -------
-    place, height, error : float
-        Where it is, rad, how high, and the error of the narrowing.
-
-    Examples
-    --------
-    A plateau that rises to 1.2 and falls off there, with samples at 0, 1 and 2:
+    A narrowing between the neighbours `low` and `high` that ends below the sample's height has met
+    a jump or a narrow plateau; the search then closes in on the highest place known.
 
     >>> def narrow(low, high):
     ...     return max((x, x if 0.9 < x < 1.2 else 0.0, 0.0) for x in (low, high))
@@ -168,26 +128,18 @@ def second_look(
     narrow: Narrow,
     period: float = 2 * math.pi,
 ) -> tuple[float, float, float]:
-    """The largest value that a second look finds.
+    """Place, height and error of the largest value that a second look finds.
 
     Parameters
     ----------
     places, heights : array, shape (n,)
-        Even places over a period, rad, and the values there.
+        Even places over the period, rad, and the values there.
     known : float
-        Largest value that the first look found.
+        Largest value of the first look. Where nothing is higher, it is returned with the place NaN.
     narrow : callable
-        The largest value between two places.
+        Place, height and error of the largest value between two places.
     period : float
-        Of what is looked at, rad.
-
-    Returns
-    -------
-    place, height : float
-        Where it is, rad, and how high; the first look's value, at no place (NaN), where nothing
-        is higher.
-    error : float
-        Of the narrowing there.
+        Period of the function, rad.
 
     Examples
     --------
@@ -199,7 +151,7 @@ def second_look(
     step = period / len(places)
     before, after = np.roll(heights, 1), np.roll(heights, -1)
     tops = np.flatnonzero((heights >= before) & (heights > after))
-    # what a summit may be above its sample: as far as it fell to the farther neighbour
+    # A summit is taken to rise above its sample by no more than the fall to the lower neighbour.
     ceilings = heights + np.maximum(heights - before, heights - after)
     least = known - NEARLY * float(np.ptp(heights))
     best, where, off = known, math.nan, 0.0

@@ -1,10 +1,10 @@
-"""One input solved for one result: where a target is met, by sampling and bracketing.
+"""Input at which a result meets a target, found by sampling and bracketing.
 
-The function is any: it may jump, have several solutions, or not exist in parts of the range (NaN).
-So it is sampled first; a stretch between two samples of which one meets the target and the other
-does not is a bracket, narrowed until its ends are neighbours; around samples that come close to
-the target without meeting it, and up to where the function ends on its way there, the samples are
-made finer.
+The function may jump, have several solutions, or not exist in parts of the range (NaN). The range
+is therefore sampled first. Two neighbouring samples of which one meets the target form a bracket,
+which is narrowed until its ends are neighbouring doubles. Samples are made finer where the result
+comes close to the target without meeting it, and up to where the result ceases to exist on its way
+to the target.
 """
 
 import math
@@ -23,31 +23,31 @@ Want = Literal["smallest", "largest"]
 SolveStatus = Literal["solved", "always", "infeasible", "several"]
 
 SAMPLES = 129
-"""Places at which the range is looked at first."""
+"""Number of places at which the range is sampled first."""
 
 FINER = 16
-"""Places within two steps around a closest approach, at each of the three refinements."""
+"""Number of places, both ends included, in each of the two steps beside a closest approach."""
 
 MOST_WHOLE = 1000
-"""Most whole numbers that are tried."""
+"""Largest number of whole numbers that are tried."""
 
 TOLERANCE = 4 * ROUNDING
-"""Width of a bracket over its size when it is narrow enough: 4 spacings of doubles."""
+"""Relative width at which a bracket is narrow enough: 4 spacings of doubles."""
 
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """Where a target is met."""
+    """Inputs at which a result meets a target."""
 
-    # `always` where the whole range meets it, `several` where more than one stretch does.
+    # `always` if the whole range meets the target, `several` if more than one stretch does.
     status: SolveStatus
     value: float | None  # smallest or largest input that meets the target, as wanted
-    bracket: tuple[float, float] | None  # neighbours on both sides of that edge, the lower first
-    intervals: tuple[tuple[float, float], ...]  # that meet the target, from and to
-    # Where nothing meets it, the input that comes closest and its result.
+    bracket: tuple[float, float] | None  # neighbours on both sides of the value, the lower first
+    intervals: tuple[tuple[float, float], ...]  # stretches that meet the target, from and to
+    # Input that comes closest and its result, if nothing meets the target.
     best: tuple[float, float] | None
-    monotone: bool  # whether the result, as sampled, only grows or only falls
-    evaluations: int  # how often the function was evaluated
+    monotone: bool  # True if the sampled result only grows or only falls
+    evaluations: int  # number of evaluations of the function
 
 
 def solve_for(
@@ -62,36 +62,26 @@ def solve_for(
     log: bool = False,
     samples: int = SAMPLES,
 ) -> Solution:
-    """The input at which a result meets a target.
+    """Input at which a result meets a target.
 
     Parameters
     ----------
     function : callable
-        Result of an input; NaN where the design does not exist.
+        Result of an input; NaN where none exists.
     low, high : float
         Range of the input, low < high.
     target : float
-        What the result is to be.
+        Value to be met.
     sense : {"at_least", "at_most", "equals"}
-        How it is to be compared; `equals` finds where the result crosses the target.
+        Comparison with the target; `equals` finds where the result crosses it.
     want : {"smallest", "largest"}
-        Which input, where many meet it.
+        Choice among the inputs that meet the target.
     integer : bool
-        Whether only whole numbers are looked at, each of them; at most `MOST_WHOLE`.
+        True tries every whole number in the range, at most `MOST_WHOLE` of them.
     log : bool
-        Whether samples are spaced by their ratio; low > 0 then.
+        True spaces the samples by a ratio, for which low must be > 0.
     samples : int
-        Places at which the range is looked at first, at least 2.
-
-    Returns
-    -------
-    Solution
-
-    Raises
-    ------
-    InvalidInput
-        If the range is empty, has too many whole numbers, or is not positive where samples are
-        spaced by their ratio.
+        Number of first samples, at least 2.
 
     Examples
     --------
@@ -106,7 +96,7 @@ def solve_for(
     known: dict[float, float] = {}
 
     def excess(x: float) -> float:
-        """How far the result is beyond the target; below 0 where it is not met."""
+        """Amount by which the result is beyond the target; negative where the target is not met."""
         if x not in known:
             result = function(x)
             known[x] = result - target if sense != "at_most" else target - result
@@ -160,28 +150,16 @@ def solve_for(
 
 
 def edge(*, inside: float, outside: float, excess: Callable[[float], float]) -> tuple[float, float]:
-    """The two neighbours between which a condition ends.
+    """Two neighbouring places, one that meets a condition and one that does not.
 
-    Parameters
-    ----------
-    inside, outside : float
-        Where ``excess >= 0``, and where it is not, or is NaN.
-    excess : callable
-        How far the condition is met.
-
-    Returns
-    -------
-    met, unmet : float
-        Closer than `TOLERANCE`, on the sides of `inside` and `outside`.
-
-    Notes
-    -----
-    Source: Chandrupatla 1997, A new hybrid quadratic/bisection algorithm; halved instead where a
-    side does not exist, and ended on both sides of the edge, so that a jump is bracketed too.
+    The condition is met where ``excess >= 0``, as at `inside`; at `outside` excess is negative or
+    NaN. Source: Chandrupatla 1997, A new hybrid quadratic/bisection algorithm. Two changes to it: a
+    side where the excess does not exist is halved, and the search ends on both sides of the edge,
+    so that a jump is bracketed too.
     """
     met, unmet = inside, outside
     good, bad = excess(met), excess(unmet)
-    earlier, before = met, good  # the place before last, for the quadratic step
+    earlier, before = met, good  # third place, for the quadratic step
     share = 0.5
     for _ in range(200):
         width = abs(unmet - met)
@@ -204,15 +182,17 @@ def edge(*, inside: float, outside: float, excess: Callable[[float], float]) -> 
 def _step(
     met: float, good: float, unmet: float, bad: float, earlier: float, before: float
 ) -> float:
-    """Share of the way from met to unmet: inverse quadratic where that is safe, else one half."""
+    """Share of the way from met to unmet: inverse quadratic or secant where safe, otherwise one
+    half.
+    """
     values = (good, bad, before)
     if any(not math.isfinite(each) for each in values) or before in (good, bad) or good == bad:
         return 0.5
-    # Chandrupatla's criterion, from the newer end towards the other
+    # Chandrupatla's criterion for the inverse quadratic step
     xi = (met - unmet) / (earlier - unmet) if earlier != unmet else 0.5
     phi = (good - bad) / (before - bad)
     if not (phi * phi < xi and (1 - phi) * (1 - phi) < 1 - xi):
-        # close to a straight line the secant is as good
+        # The secant is as good close to a straight line.
         secant = good / (good - bad)
         return secant if 0.05 < secant < 0.95 else 0.5
     slope = good / (bad - good) * before / (bad - before)
@@ -233,7 +213,7 @@ def _spaced(low: float, high: float, samples: int, log: bool) -> list[float]:
 def _finer(
     places: list[float], known: dict[float, float], excess: Callable[[float], float]
 ) -> list[float]:
-    """More places where the result comes closest to the target without crossing it."""
+    """Places refined where the result comes closest to the target without crossing it."""
     added: list[float] = []
     for before, here, after in zip(places, places[1:], places[2:], strict=False):
         one, two, three = known[before], known[here], known[after]
@@ -249,7 +229,7 @@ def _finer(
 def _to_its_ends(
     places: list[float], known: dict[float, float], excess: Callable[[float], float], equals: bool
 ) -> list[float]:
-    """More places up to where the result ends to exist, if it is on its way to the target there."""
+    """Places refined up to where the result ceases to exist while it approaches the target."""
 
     def exists(x: float) -> float:
         return math.nan if math.isnan(excess(x)) else 0.0
@@ -270,7 +250,7 @@ Brackets = list[tuple[tuple[float, float] | None, tuple[float, float] | None]]
 def _stretches(
     places: Sequence[float], excess: Callable[[float], float], integer: bool
 ) -> tuple[Intervals, Brackets]:
-    """Stretches where the target is met, each end with the neighbours that it lies between."""
+    """Stretches where the target is met, and the bracket of each end."""
     intervals: Intervals = []
     brackets: Brackets = []
     left: tuple[float, float] | None
@@ -295,7 +275,7 @@ def _stretches(
 def _crossings(
     places: Sequence[float], excess: Callable[[float], float], integer: bool
 ) -> tuple[Intervals, Brackets]:
-    """Places where the result equals the target, as intervals of nothing or of neighbours."""
+    """Places where the result equals the target, as intervals of length 0, and their brackets."""
     intervals: Intervals = []
     brackets: Brackets = []
     for index, place in enumerate(places):

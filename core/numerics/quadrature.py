@@ -1,10 +1,9 @@
-"""Gauss-Legendre quadrature on panels short enough for its error to vanish beside rounding, and
-the tanh-sinh rule for integrands that have no derivatives at the ends.
+"""Gauss-Legendre quadrature on panels short enough for the error to vanish beside rounding, and the
+tanh-sinh rule for integrands without derivatives at the ends.
 
-The error of the n-point rule on an integrand that is analytic inside a Bernstein ellipse of
-parameter p (foci at the panel's ends) falls like ``p^(-2*n)``. So where the singularities are
-known, the panels are made short enough for all of them to lie outside a fixed ellipse, and the
-error is known beforehand; nothing has to be estimated from differences.
+The error of the n-point rule falls like ``p^(-2*n)`` for an integrand that is analytic inside a
+Bernstein ellipse of parameter p with foci at the panel's ends. Panels that leave all known
+singularities outside a fixed ellipse have an error known beforehand, without comparing two rules.
 """
 
 import math
@@ -15,7 +14,7 @@ import numpy as np
 from core.arrays import FloatArray
 
 _HALF_RULE = (
-    # distance of the node from the middle of a panel of length 1, weight
+    # distance of the node from the middle of a panel of length 1; weight
     (0.038263260566748666877, 0.076376693565362925349),
     (0.11389292557082253904, 0.074586493236301873394),
     (0.18685304435770978034, 0.071048054659191025665),
@@ -35,28 +34,20 @@ WEIGHTS = np.array([w for _, w in reversed(_HALF_RULE)] + [w for _, w in _HALF_R
 """Weights of the 20-point rule on [0, 1], shape (20,); their sum is 1."""
 
 ELLIPSE_AXIS = 1.8
-"""Sum of the distances from the panel's ends, over its length, beyond which singularities lie."""
+"""Sum of a singularity's distances from both ends of a panel, over the panel's length, at least."""
 
 TRUNCATION = 1e-17
-"""Relative error of the rule on panels that the functions below accept: ``p = 3.29``, p^-40."""
+"""Bound of the rule's relative error on accepted panels: p = 3.29, so that p^-40 is far
+below it.
+"""
 
 
 def resolves_real_pole(*, start: float, end: float, width: float) -> bool:
-    """Whether a panel is short enough for a pole at 0 on its own line, outside the panel.
+    """True if a panel is short enough for a pole at 0 on the panel's line, outside the panel.
 
-    Parameters
-    ----------
-    start, end : float
-        Distances of the panel's ends from the pole, of one sign.
-    width : float
-        Length of the panel, > 0, which may be known better than ``end - start``.
+    `start` and `end` are distances from the pole, of one sign. `width` > 0 is the panel's length,
+    which may be known more exactly than ``end - start``.
 
-    Returns
-    -------
-    bool
-
-    Examples
-    --------
     >>> resolves_real_pole(start=1.0, end=3.0, width=2.0)
     True
     >>> resolves_real_pole(start=1.0, end=4.0, width=3.0)
@@ -66,32 +57,14 @@ def resolves_real_pole(*, start: float, end: float, width: float) -> bool:
 
 
 def resolves_complex_poles(*, start: float, end: float, width: float, height: float) -> bool:
-    """Whether a panel is short enough for singularities above and below the point 0.
+    """True if a panel is short enough for singularities with ``|Im| >= max(height, |Re|)``.
 
-    They may lie anywhere with ``|Im| >= max(height, |Re|)``: at the given height or farther out
-    in the right-angled cones above and below 0.
+    `start` and `end` are of one sign or 0. `width` > 0 is the panel's length, which may be known
+    more exactly than ``end - start``. The smallest ellipse that touches the height, > 0, has the
+    semi-axes ``height`` and ``hypot(height, width/2)``. The smallest one that touches the cone
+    ``|Im| = |Re|`` has the sum of distances ``hypot(start, end)``, as reflection of one end in the
+    cone shows.
 
-    Parameters
-    ----------
-    start, end : float
-        Places of the panel's ends, of one sign or 0.
-    width : float
-        Length of the panel, > 0, which may be known better than ``end - start``.
-    height : float
-        Least distance of the singularities from the line, > 0.
-
-    Returns
-    -------
-    bool
-
-    Notes
-    -----
-    The smallest ellipse that touches the height has the semi-axes ``height`` and
-    ``hypot(height, width/2)``; the smallest one that touches the cone has the sum of distances
-    ``hypot(start, end)``, by reflection of one end in the cone's side.
-
-    Examples
-    --------
     >>> resolves_complex_poles(start=0.0, end=1.0, width=1.0, height=0.75)
     True
     >>> resolves_complex_poles(start=0.0, end=1.0, width=1.0, height=0.7)
@@ -104,29 +77,13 @@ def resolves_complex_poles(*, start: float, end: float, width: float, height: fl
 
 @cache
 def tanh_sinh_rule(level: int) -> tuple[FloatArray, FloatArray]:
-    """Half of the nodes and weights of the tanh-sinh rule on [0, 1]; the other half mirrors it.
+    """Nodes and weights of one half of the tanh-sinh rule on [0, 1]; the other half mirrors it.
 
-    ``x = 1/(1 + exp(-pi*sinh(t)))`` at ``t = (k + 1/2)*h``, ``h = 2^-level``: the nodes crowd at
-    the ends so that a singularity there does no harm, as long as the integrand stays finite.
-
-    Parameters
-    ----------
-    level : int
-        Each level has twice the nodes of the one before.
-
-    Returns
-    -------
-    nodes, weights : array
-        Distances from the nearer end, ascending, and weights, whose sum is 1/2.
-
-    Notes
-    -----
-    Source: Takahasi and Mori 1974, Double exponential formulas for numerical integration. Beyond
-    ``t = 3.4`` all weights together are below 1e-18.
-
-    Examples
-    --------
-    The integral of the square root of x over [0, 1] is 2/3.
+    Nodes are distances from the nearer end, ascending; the weights' sum is 1/2. Each level doubles
+    the number of nodes: ``x = 1/(1 + exp(-pi*sinh(t)))`` at ``t = (k + 1/2)*2^-level``, up to t =
+    3.4, beyond which all weights together are below 1e-18. Nodes crowd at the ends, so that a
+    singularity of a finite integrand there does no harm. Source: Takahasi and Mori 1974, Double
+    exponential formulas for numerical integration.
 
     >>> x, w = tanh_sinh_rule(4)
     >>> round(float(w @ np.sqrt(x) + w @ np.sqrt(1 - x)), 14)

@@ -1,24 +1,24 @@
-"""The parallel-crank mechanism: pins of the output link in the holes of satellites on cranks.
+"""Parallel-crank mechanism: output pins in the holes of discs on eccentrics (cranks).
 
-Everything about it follows from one angle. With the wave angle ``psi = crank_angle*(1 + 1/ratio)
-+ initial_crank_angle`` the pair of satellite j and pin n has the pressure angle
+One angle determines the whole mechanism. With the wave angle
+``psi = crank_angle*(1 + 1/ratio) + initial_crank_angle`` the pair of disc j and pin n has the
+pressure angle
 
     cos(gamma_jn) = cos(pi/2 + psi + alpha_j + 2*pi*(n - 1)/N)
 
-(Yanchevskiy and Niekhoroshykh 2021, eq. 6) and drives where that is positive: exactly half of
-each turn of psi, at known angles.
+(Yanchevskiy and Niekhoroshykh 2021, eq. 6). The pair drives where the cosine is positive, which is
+exactly half of each turn of psi.
 
-Angles of the wave are counted in turns, so that pins an N-th of a turn apart stay so exactly, and
-phases closer than `SAME` are one phase: rounding invents no slivers.
+Wave angles are counted in turns, so that pins 1/N of a turn apart stay exactly so. Phases closer
+than `SAME` are merged, so that rounding makes no slivers.
 
-Crank, pins and ring are the members of one gear. All calculations of pins and satellites look at
-the mechanism from its ring: under the torque on the pins, the crank turning against the ring.
-`Members` takes what is typed of an output to that problem, and what is found there back to the
-output.
+Crank, pins and ring are the members of one gear. All calculations look at the mechanism from its
+ring, under the torque on the pins. `Members` converts the given quantities of an output to that
+view, and the results back to the output.
 
-The hole of satellite j is the circle around the pin's centre moved by the eccentricity towards
-the satellite's crank. With hole radius = pin radius + eccentricity the pin touches the hole at
-every crank angle; with a larger hole there is clearance, with a smaller one interference.
+The hole of disc j is a circle around the pin's centre moved by the eccentricity towards the disc's
+crank. A hole with the radius of the pin plus the eccentricity touches the pin at every crank angle;
+a larger hole has clearance, a smaller one interference.
 """
 
 import math
@@ -37,21 +37,15 @@ from core.precision import AS_TYPED, ROUNDING, SAME
 
 @dataclass(frozen=True)
 class Mechanism:
-    """Parallel-crank mechanism: pins of the output link in the holes of satellites on cranks.
-
-    Raises
-    ------
-    InvalidInput
-        If there is no pin, no satellite, or the ratio is not a positive number.
-    """
+    """Parallel-crank mechanism: output pins in the holes of discs on eccentrics (cranks)."""
 
     pins: int  # N, at least 1
     crank_angles: tuple[float, ...]  # alpha_j, rad: one for each of the K satellites
-    # u = z2/(z3 - z2) > 0, crank speed over that of the pins; infinite of two shafts that pins
-    # couple, where satellites never turn.
+    # u = z2/(z3 - z2) > 0, crank speed over that of the pins; infinite for a coupling, whose
+    # satellites never turn.
     ratio: float
-    # Wave angle at crank angle 0, rad. Half a turn gives the sign of Yanchevsky et al. 2018, and is
-    # also what reversing the torque does.
+    # Wave angle at crank angle 0, rad. Half a turn gives the sign of Yanchevsky et al. 2018, and
+    # describes a reversed torque.
     initial_crank_angle: float = 0.0
 
     def __post_init__(self) -> None:
@@ -77,23 +71,7 @@ class Mechanism:
         crank_spacing: float | None = None,
         initial_crank_angle: float = 0.0,
     ) -> "Mechanism":
-        """Mechanism whose cranks follow each other at one angle.
-
-        Parameters
-        ----------
-        pins, satellites : int
-            Numbers N of pins and K of satellites, each at least 1.
-        ratio : float
-            Ratio u > 0.
-        crank_spacing : float, optional
-            Angle alpha between neighbouring cranks, rad; 2*pi/K where not given.
-        initial_crank_angle : float
-            Wave angle at crank angle 0, rad.
-
-        Returns
-        -------
-        Mechanism
-        """
+        """Mechanism whose cranks follow each other at one angle, rad, 2*pi/K by default."""
         if satellites < 1:
             raise InvalidInput("satellites", satellites, "greater_than_equal", limit=1)
         spacing = 2 * math.pi / satellites if crank_spacing is None else crank_spacing
@@ -111,7 +89,7 @@ class Mechanism:
 
     @property
     def waves_per_turn(self) -> float:
-        """Turns of the wave in one of the crank against the ring: 1 + 1/u."""
+        """Turns of the wave in one turn of the crank against the ring: 1 + 1/u."""
         return 1.0 if math.isinf(self.ratio) else (1 + self.ratio) / self.ratio
 
     @property
@@ -121,7 +99,7 @@ class Mechanism:
         return turn if math.isinf(self.ratio) else turn * self.ratio / (1 + self.ratio)
 
     def wave_angle(self, crank_angle: Number) -> Number:
-        """Wave angle at a crank angle, rad: ``phi*(1 + 1/u)`` and the initial one."""
+        """Wave angle at a crank angle phi, rad: ``phi*(1 + 1/u) + initial_crank_angle``."""
         return crank_angle * (1 + 1 / self.ratio) + self.initial_crank_angle
 
     @cached_property
@@ -134,33 +112,22 @@ class Mechanism:
 class WavePhases:
     """Phases of the pairs in turns of the wave, `initial_crank_angle` included.
 
-    The pins make the set of phases repeat every N-th of a turn, so it is enough to know the
-    satellites' phases within one such sector.
+    The set of phases repeats every N-th of a turn, so the record keeps one such sector.
     """
 
     pins: int  # N
     # Phase of the pair (satellite j, pin 1), in turns, in [0, 1), snapped to `sector_phases`.
     satellite_phase: tuple[float, ...]
-    sector_phases: tuple[float, ...]  # the different ones within [0, 1/N), in turns, ascending
-    multiplicity: tuple[int, ...]  # how many satellites share each of them
+    sector_phases: tuple[float, ...]  # different phases within [0, 1/N), in turns, ascending
+    multiplicity: tuple[int, ...]  # number of satellites that share each phase
     symmetry: int  # repeats of the pattern within a sector
-    # Largest distance by which merging, symmetry or the rounding of angles beyond a turn takes a
-    # phase to be elsewhere, in turns.
+    # Largest shift of a phase by merging, by symmetry and by the rounding of angles beyond a turn,
+    # in turns.
     error: float
 
     @classmethod
     def of(cls, mechanism: Mechanism) -> "WavePhases":
-        """Phases of a mechanism.
-
-        Parameters
-        ----------
-        mechanism : Mechanism
-            The mechanism.
-
-        Returns
-        -------
-        WavePhases
-        """
+        """Phases of a mechanism."""
         pins = mechanism.pins
         # Driving starts half a turn before it ends. For even N half a turn is a whole number of
         # sectors; for odd N starts and ends coincide on a grid of half sectors. Snapping on that
@@ -208,8 +175,8 @@ class WavePhases:
         )
 
     def switching(self) -> list[tuple[float, int]]:
-        """Wave positions in [0, 1/N) at which pairs start or stop driving, ascending, in turns;
-        and by how much the number of driving pairs grows at each.
+        """Wave positions in [0, 1/N) where pairs start or stop driving, in turns, ascending, each
+        with the growth of the number of driving pairs.
         """
         sector = 1 / self.pins
         # Half a turn is a whole number of sectors for even N: as one pair starts another stops.
@@ -233,8 +200,8 @@ class WavePhases:
     def dead_zones(self) -> list[tuple[float, float]]:
         """Wave positions at which no pair drives, ``(from, to)`` in turns, from in [0, 1).
 
-        A dead centre exists exactly where neighbouring phases lie half a turn or more apart;
-        where it is just half a turn, from equals to.
+        A dead centre exists exactly where neighbouring phases lie half a turn or more apart; if
+        they lie just half a turn apart, from equals to.
         """
         if self.pins > 2:
             return []
@@ -253,7 +220,7 @@ class WavePhases:
 def _symmetry(
     phases: Sequence[float], multiplicity: tuple[int, ...], sector: float
 ) -> tuple[int, float]:
-    """How many times the pattern of phases repeats within a sector, and how far it is off that."""
+    """Number of repeats of the pattern of phases in a sector, and deviation from it, turns."""
     size = len(phases)
     for repeats in range(size, 1, -1):
         step, remainder = divmod(size, repeats)
@@ -269,47 +236,25 @@ def _symmetry(
 
 
 def far_angle_error(angle: float) -> float:
-    """Error of the phase of an angle beyond a turn: that much coarser is its last digit, once where
-    it was made of degrees and once here.
+    """Error of the phase of an angle, rad, in turns; 0 up to one turn.
 
-    Parameters
-    ----------
-    angle : float
-        Size of the angle, rad, or sum of sizes.
-
-    Returns
-    -------
-    float
-        In turns; 0 up to a turn.
+    The last digit of a larger angle is coarser, in the conversion from degrees and again here.
     """
     return 2 * ROUNDING * max(angle / (2 * math.pi) - 1, 0.0)
 
 
 def pressure_cosines(*, mechanism: Mechanism, crank_angles: FloatArray) -> FloatArray:
-    """Cosine of the pressure angle of every pair, 0 where the pair does not drive.
+    """Cosine of the pressure angle of every pair, ``max(0, cos(gamma))``, shape (n, K, N).
 
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    crank_angles : array, shape (n,)
-        Crank angles phi, rad.
-
-    Returns
-    -------
-    array, shape (n, K, N)
-        ``max(0, cos(gamma))``.
-
-    Notes
-    -----
-    Source: Yanchevskiy and Niekhoroshykh 2021, eq. (6). Counted in turns, so that a pair on its
-    switching angle has the cosine 0 and not a rounding error of either sign.
+    `crank_angles` has the shape (n,), rad. Source: Yanchevskiy and Niekhoroshykh 2021, eq. (6).
+    Angles are counted in turns, so that a pair at its switching angle has the cosine 0 and no
+    rounding error of either sign.
     """
     turns = np.asarray(crank_angles, dtype=np.float64) / mechanism.crank_angle_per_wave
     satellite = np.array(mechanism.phases.satellite_phase)
     pin = np.arange(mechanism.pins) / mechanism.pins
     phase = satellite[:, None] + pin[None, :] - 0.75
-    # The angles are the last axis while it is calculated, as the longest.
+    # The crank angles are the last axis during the calculation, as they are the longest.
     from_switching = (turns - np.floor(turns)) + phase[:, :, None]
     from_switching -= np.rint(from_switching)
     np.abs(from_switching, out=from_switching)
@@ -323,41 +268,27 @@ def pressure_cosines(*, mechanism: Mechanism, crank_angles: FloatArray) -> Float
 
 @dataclass(frozen=True, slots=True)
 class AssemblyAngle:
-    """How far the holes of one satellite are turned against its teeth."""
+    """Rotation of the holes of one satellite against its teeth."""
 
     satellite: int  # from 1
-    hole_rotation: float  # smallest, of the holes against the teeth, relative to satellite 1, rad
-    identical: bool  # whether it is the same part as satellite 1
+    hole_rotation: float  # smallest one against satellite 1, rad
+    identical: bool  # True if the satellite is the same part as satellite 1
 
 
 def assembly_angles(*, mechanism: Mechanism, satellite_teeth: int) -> tuple[AssemblyAngle, ...]:
-    """Rotation of each satellite's holes against its teeth so that the reducer can be assembled.
+    """Rotation of each satellite's holes against its teeth with which the reducer can be assembled.
 
-    ``psi_j = min over k of |alpha_j/u + k*2*pi/z2|``, with alpha_j counted from crank 1.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    satellite_teeth : int
-        Number of teeth z2 of a satellite, at least 1.
-
-    Returns
-    -------
-    tuple of AssemblyAngle
-        One for each satellite.
+    ``psi_j = min over k of |alpha_j/u + k*2*pi/z2|``, with alpha_j counted from crank 1 and the
+    number of teeth z2 of a satellite, at least 1.
 
     Notes
     -----
-    Source: Yanchevskiy and Niekhoroshykh 2021, after eq. (11). Erratum: printed there with
-    ``j*alpha/u``, which would turn satellite 1 against itself; ``(j - 1)*alpha`` is meant.
-    Whether a satellite is the same part also allows for the pins' own pitch 2*pi/N: turning
-    the holes by a whole number of pitches changes nothing.
+    Source: Yanchevskiy and Niekhoroshykh 2021, after eq. (11). Erratum: the paper prints
+    ``j*alpha/u``, which would turn satellite 1 against itself; ``(j - 1)*alpha`` is meant. Two
+    satellites are also the same part if their holes differ by a whole number of pitches 2*pi/N.
 
     Examples
     --------
-    z2 = 40, u = 20, cranks at 180 degrees: 9 degrees is just one tooth pitch.
-
     >>> m = Mechanism.evenly_spaced(pins=3, satellites=2, ratio=20.0)
     >>> [a.identical for a in assembly_angles(mechanism=m, satellite_teeth=40)]
     [True, True]
@@ -384,31 +315,10 @@ def assembly_angles(*, mechanism: Mechanism, satellite_teeth: int) -> tuple[Asse
 
 
 def ratio_from_teeth(*, satellite_teeth: int, ring_teeth: int) -> float:
-    """Ratio of the reducer from its numbers of teeth: ``u = z2/(z3 - z2)``.
+    """Ratio of the reducer from the teeth of satellite and ring, ``u = z2/(z3 - z2)``, z3 > z2.
 
-    Parameters
-    ----------
-    satellite_teeth : int
-        Teeth z2 of a satellite, at least 1.
-    ring_teeth : int
-        Teeth z3 of the ring, more than `satellite_teeth`.
-
-    Returns
-    -------
-    float
-        Ratio u, dimensionless.
-
-    Raises
-    ------
-    InvalidInput
-        If the ring has not more teeth than the satellite.
-
-    Notes
-    -----
     Source: Yanchevsky et al. 2018, section on the method (Willis).
 
-    Examples
-    --------
     >>> ratio_from_teeth(satellite_teeth=40, ring_teeth=42)
     20.0
     """
@@ -421,11 +331,12 @@ def ratio_from_teeth(*, satellite_teeth: int, ring_teeth: int) -> float:
 
 
 Output = Literal["pins", "ring", "both", "coupling"]
-"""Which member is driven: that of the pins while the ring stands still, the ring while the pins do,
-or both; or two shafts that pins couple, an eccentricity apart, without a ring."""
+"""Driven member: the pins while the ring stands still, the ring while the pins do, or both. A
+coupling has no ring: pins couple two shafts that are an eccentricity apart.
+"""
 
 CLOSED = Accuracy("closed_form", 8 * ROUNDING, 1)
-"""How exact they are: their numbers follow in a few steps."""
+"""Accuracy of speeds and torques of the members, which follow in a few steps."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -433,35 +344,28 @@ class MemberSpeeds:
     """Speeds of the members, positive in the sense of the crank, rad/s."""
 
     crank: float  # w_1
-    carrier: float  # w_c, of the pins, and of the satellites, which never turn against them
+    carrier: float  # w_c, of pins and satellites, which turn together
     ring: float  # w_r
 
     @property
     def relative(self) -> float:
-        """Speed of the crank against the pins, rad/s: of sliding, rolling bearings, load cycles."""
+        """Speed of the crank against the pins, rad/s, for sliding, bearings and load cycles."""
         return self.crank - self.carrier
 
     @property
     def crank_to_ring(self) -> float:
-        """Speed of the crank against the ring, rad/s: ``u/(u + 1)`` of that."""
+        """Speed of the crank against the ring, rad/s: ``u/(u + 1)`` of `relative`."""
         return self.crank - self.ring
 
     @property
     def turning(self) -> float:
-        """Its size: the speed of the input where the ring stands still."""
+        """Absolute speed of the crank against the ring, rad/s; input speed of a fixed ring."""
         return abs(self.crank_to_ring)
 
     def against(self, part: str) -> float:
-        """Size of the crank's speed against the part that its bearing sits in, rad/s.
+        """Absolute speed of the crank, rad/s, against the part that holds its bearing.
 
-        Parameters
-        ----------
-        part : {"housing", "carrier", "ring"}
-            The part; the housing stands still.
-
-        Returns
-        -------
-        float
+        The part is "housing", which stands still, "carrier" or "ring".
         """
         speeds = {"carrier": self.carrier, "ring": self.ring}
         return abs(self.crank - speeds.get(part, 0.0))
@@ -469,45 +373,46 @@ class MemberSpeeds:
 
 @dataclass(frozen=True, slots=True)
 class MemberLoads:
-    """Torques on the members from outside, and the power that enters by each, without losses; under
-    the torque in its driving sense. Without speeds the powers raise `NotKnown`.
+    """Torques on the members from outside, and the power that enters by each, without losses.
+
+    The torque acts in its driving sense. Powers raise `NotKnown` if no speed is given.
     """
 
-    output_ratio: float | None  # i = w_1/w_out, negative where they turn apart; None of both
-    pin_torque: float  # T_c, N*m, as all torques positive in the sense of the crank
+    output_ratio: float | None  # i = w_1/w_out, < 0 if the senses differ; None for both
+    pin_torque: float  # T_c, N*m; all torques are positive in the crank's sense
     crank_torque: float  # T_1, N*m
     ring_torque: float  # T_r, N*m
-    given_speeds: MemberSpeeds | None = None  # of all members, where one is known
+    given_speeds: MemberSpeeds | None = None  # speeds of all members, if one is known
     accuracy: Accuracy = CLOSED
 
     @property
     def speeds(self) -> MemberSpeeds:
-        """Those of the members."""
+        """Speeds of the members."""
         return required(self.given_speeds, "speed_missing", "load.input_speed")
 
     @property
     def crank_power(self) -> float:
-        """By the crank, W."""
+        """Power that enters by the crank, W."""
         return self.crank_torque * self.speeds.crank
 
     @property
     def carrier_power(self) -> float:
-        """By the pins, W, negative where it leaves."""
+        """Power that enters by the pins, W, negative if it leaves there."""
         return self.pin_torque * self.speeds.carrier
 
     @property
     def ring_power(self) -> float:
-        """By the ring, W."""
+        """Power that enters by the ring, W, negative if it leaves there."""
         return self.ring_torque * self.speeds.ring
 
     @property
     def power_balance(self) -> float:
-        """Sum of the powers, W: 0 but for rounding."""
+        """Sum of the powers, W: 0 except for rounding."""
         return math.fsum(self._powers)
 
     @property
     def output_power(self) -> float:
-        """That leaves, W."""
+        """Power that leaves the mechanism, W."""
         return -math.fsum(min(each, 0.0) for each in self._powers)
 
     @property
@@ -517,19 +422,12 @@ class MemberLoads:
 
 @dataclass(frozen=True, slots=True)
 class Members:
-    """Which member is the output of a mechanism of some ratio.
+    """Output member of a mechanism of ratio u.
 
-    With the ring at rest the crank turns u times as fast as the pins and the other way, so that for
-    any speeds ``w_1 + u*w_c - (u + 1)*w_r = 0``; torques on the members are ``T_1 : T_c : T_r =
-    1 : u : -(u + 1)``, whichever of them stands still.
-
-    Notes
-    -----
-    Derived from the velocities at the pitch point and from statics (Willis).
-
-    Examples
-    --------
-    Of 500 N*m at the ring the pins carry 476 N*m.
+    With the ring at rest the crank turns u times as fast as the pins, in the opposite sense. All
+    speeds therefore obey ``w_1 + u*w_c - (u + 1)*w_r = 0``. The torques on the members are
+    ``T_1 : T_c : T_r = 1 : u : -(u + 1)``, whichever member stands still. Derived from the
+    velocities at the pitch point and from statics (Willis).
 
     >>> ring = Members("ring", 20.0)
     >>> round(500*ring.pin_share, 3), ring.output_ratio
@@ -537,75 +435,60 @@ class Members:
     """
 
     output: Output = "pins"
-    ratio: float = math.inf  # u > 0; infinite of a coupling, whose discs have no ring
+    ratio: float = math.inf  # u > 0; infinite for a coupling, which has no ring
 
     @property
     def output_ratio(self) -> float | None:
-        """Speed of the crank over that of the output; None where both are, as that hangs on their
-        speeds. Of a coupling the shafts turn alike.
-        """
+        """Speed of the crank over that of the output; 1 for a coupling, None if both are driven."""
         ratios = {"pins": -self.ratio, "ring": self.ratio + 1, "coupling": 1.0}
         return ratios.get(self.output)
 
     @property
     def pin_share(self) -> float:
-        """Torque on the pins over that of the output; angles of the output over those that the
-        satellites turn against the pins: ``u/(u + 1)`` where the ring is the output, else 1.
+        """Torque on the pins over output torque: ``u/(u + 1)`` if the ring is the output, or 1.
+
+        Angles of the output are this part of the angles that the satellites turn against the pins.
         """
         return self.ratio / (self.ratio + 1) if self.output == "ring" else 1.0
 
     def torque_at_output(self, on_pins: Number) -> Number:
-        """Torque of the output, of a torque on the pins."""
+        """Output torque that belongs to a torque on the pins."""
         return on_pins / self.pin_share
 
     def input_torque(self, of_crank: Number, output_torque: Number) -> Number:
-        """Torque that drives, of that of the crank; of a coupling, whose crank stands still, that
-        of the output besides.
+        """Input torque that belongs to the crank's torque.
+
+        The crank of a coupling stands still, so that its input also carries the output torque.
         """
         return of_crank + output_torque if self.output == "coupling" else of_crank
 
     def angle_at_output(self, at_pins: Number) -> Number:
-        """Angle of the output, of an angle of the satellites against the pins."""
+        """Output angle that belongs to an angle of the satellites against the pins."""
         return at_pins * self.pin_share
 
     def stiffness_at_output(self, at_pins: Number) -> Number:
-        """Torque of the output over its angle, of that on the pins over theirs."""
+        """Torsional stiffness at the output that belongs to the stiffness at the pins."""
         return at_pins / self.pin_share**2
 
     @property
     def torque_ratio(self) -> float:
-        """Torque of the output over that of the crank, of both that on the pins, without losses."""
+        """Output torque over crank torque, without losses; pin torque if both are driven."""
         ratios = {"ring": self.ratio + 1, "coupling": 1.0}
         return ratios.get(self.output, self.ratio)
 
     def speeds(
         self, *, crank: float, ring: float | None = None, carrier: float | None = None
     ) -> MemberSpeeds:
-        """Speeds of all members.
+        """Speeds of all members, from that of the crank or of a coupling's shafts, rad/s.
 
-        Parameters
-        ----------
-        crank : float
-            Speed of the crank, of a coupling that of its shafts, rad/s.
-        ring, carrier : float, optional
-            Speed of the ring or of the pins, rad/s, where both are the output: one of them.
+        If both are the output, one of `ring` and `carrier` is needed; `NotKnown` is raised without
+        it.
 
-        Returns
-        -------
-        MemberSpeeds
-
-        Raises
-        ------
-        NotKnown
-            Where both are the output and no speed of them is given.
-
-        Examples
-        --------
         >>> Members("both", 20.0).speeds(crank=1500.0, ring=7.0).carrier
         -67.65
         """
         u = self.ratio
-        if self.output == "coupling":  # about a crank that stands still
+        if self.output == "coupling":  # The shafts turn about a crank that stands still.
             return MemberSpeeds(0.0, crank, crank)
         if self.output == "pins":
             ring = 0.0
@@ -617,28 +500,15 @@ class Members:
         return MemberSpeeds(crank, own, (crank + u * own) / (u + 1))
 
     def loads(self, *, output_torque: float, speeds: MemberSpeeds | None = None) -> MemberLoads:
-        """Torques and powers of all members.
+        """Torques and powers of all members under an output torque, N*m; of both, that on the pins.
 
-        Parameters
-        ----------
-        output_torque : float
-            Torque of the output, N*m; where both are, that on the pins.
-        speeds : MemberSpeeds, optional
-            Their speeds.
-
-        Returns
-        -------
-        MemberLoads
-
-        Examples
-        --------
         >>> ring = Members("ring", 20.0)
         >>> found = ring.loads(output_torque=500.0, speeds=ring.speeds(crank=1500.0))
         >>> round(found.crank_torque, 3), round(found.ring_torque, 9), round(found.speeds.ring, 6)
         (23.81, -500.0, 71.428571)
         """
         pins = output_torque * self.pin_share
-        if self.output == "coupling":  # driven by the disc, in the sense in which it turns
+        if self.output == "coupling":  # The disc drives the pins in its own sense.
             pins = -pins
         crank = pins / self.ratio
         ring = -(pins + crank)
@@ -646,21 +516,8 @@ class Members:
 
 
 def felt(*, clearance: float, hole_radius: float) -> float:
-    """A clearance, or interference below 0, by the sizes: 0 where it is their rounding.
+    """Clearance, negative for interference; 0 within the rounding of the sizes.
 
-    Parameters
-    ----------
-    clearance : float
-        By the sizes, m.
-    hole_radius : float
-        Radius of the hole, in the same unit.
-
-    Returns
-    -------
-    float
-
-    Examples
-    --------
     >>> felt(clearance=0.01 - 0.008 - 0.002, hole_radius=0.01)
     0.0
     """
@@ -669,9 +526,9 @@ def felt(*, clearance: float, hole_radius: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class PinFit:
-    """How pins and holes fit by their sizes alone, at any crank angle."""
+    """Fit of pins in holes by their sizes alone, at any crank angle."""
 
-    eccentricity: float  # e, m: the given one, or what leaves no clearance
+    eccentricity: float  # e, m: as given, or without clearance
     clearance: float  # r_out - r_in - e, m; < 0 interference
     notices: tuple[Notice, ...]  # clearance, interference, parts that overlap, assumed eccentricity
 
@@ -684,38 +541,12 @@ def pin_fit(
     eccentricity: float | None = None,
     pin_circle_radius: float = math.inf,
 ) -> PinFit:
-    """How pins and holes fit: clearance ``r_out - r_in - e``, and what is left between neighbours.
+    """Fit of pins in holes: radial clearance ``r_out - r_in - e``, m, and walls between neighbours.
 
-    Neighbouring centres lie ``2*R*sin(pi/N)`` apart; what is left of that between two holes of a
-    satellite or between two pins must be more than nothing.
+    Neighbouring centres lie ``2*R*sin(pi/N)`` apart; neighbours are not checked without R. An
+    eccentricity that is not given is ``r_out - r_in``, with which pin and hole touch at every crank
+    angle (Yanchevskiy and Niekhoroshykh 2021). A hole must be larger than its pin.
 
-    Parameters
-    ----------
-    pins : int
-        Number N of pins.
-    pin_radius, hole_radius : float
-        Radii r_in of the pins and r_out of the holes, m, r_out > r_in.
-    eccentricity : float, optional
-        Eccentricity e of the cranks, m; the difference of the radii where not given.
-    pin_circle_radius : float, optional
-        Radius R of the circle of pin centres, m; without it neighbours are not checked.
-
-    Returns
-    -------
-    PinFit
-
-    Raises
-    ------
-    InvalidInput
-        If a length is not positive or the hole not larger than the pin.
-
-    Notes
-    -----
-    Source: Yanchevskiy and Niekhoroshykh 2021, r_out = r_in + e where pin and hole touch at every
-    crank angle.
-
-    Examples
-    --------
     >>> fit = pin_fit(pins=12, pin_radius=0.008, hole_radius=0.010, eccentricity=0.0025,
     ...               pin_circle_radius=0.010)
     >>> [notice.code for notice in fit.notices]
@@ -755,7 +586,7 @@ def pin_fit(
         for code, holds in strained.items()
         if holds
     )
-    if not assumed:  # what was meant comes before what follows from it
+    if not assumed:  # Intended sizes come before their consequences.
         notices = (
             *slip_notices(
                 pin_radius=pin_radius, hole_radius=hole_radius, eccentricity=eccentricity
@@ -769,39 +600,20 @@ SLIPPED = ("pin_radius", "hole_radius", "eccentricity")
 """Sizes that `slip_notices` asks about."""
 
 LIKE_BEARING = 0.3
-"""Radius of a pin over that of its circle above which two or three are as thick as the bearings of
-the crankshafts of an RV."""
+"""Pin radius over pin circle radius from which few pins are as thick as an RV's crank bearings."""
 
 LIKE_ECCENTRICITY = 0.5
-"""Clearance over the eccentricity from which on it is said: mechanisms have a hundredth."""
+"""Clearance over eccentricity from which a notice is given: usual mechanisms have a hundredth."""
 
 
 def slip_notices(
     *, pin_radius: float, hole_radius: float, eccentricity: float | None
 ) -> tuple[Notice, ...]:
-    """What sizes look like that leave a clearance, or interfere, in the order of the eccentricity:
-    the usual slips, each with what would have been meant, where that fits.
+    """Notices of likely typing slips in sizes, m, with an unusual clearance or interference.
 
-    Parameters
-    ----------
-    pin_radius, hole_radius : float
-        Radii r_in and r_out, m.
-    eccentricity : float or None
-        Eccentricity e, m; without it nothing is said.
-
-    Returns
-    -------
-    tuple of Notice
-        Their numbers are in mm.
-
-    Notes
-    -----
-    The bands about each slip are no limits of mechanics: they leave room for the clearance that was
-    meant (0 to 0.3 of the eccentricity), and nothing is offered that would not fit.
-
-    Examples
-    --------
-    Pin 24 mm and hole 29 mm in diameter, typed as radii:
+    Each notice has the sizes that would have been meant, in mm, and is given only if they fit. The
+    bands about each slip are no limits of mechanics: they leave room for an intended clearance of 0
+    to 0.3 of the eccentricity. Without an eccentricity there are no notices.
 
     >>> found = slip_notices(pin_radius=0.012, hole_radius=0.0145, eccentricity=0.00125)
     >>> [notice.code for notice in found]
@@ -842,10 +654,10 @@ class PinGeometry:
     contact_points: FloatArray
     # Pressure angles gamma_jn, rad, from -pi to pi, shape (K, N); a pair drives within +-pi/2.
     pressure_angles: FloatArray
-    driving: NDArray[np.bool_]  # whether the pair drives, shape (K, N)
-    clearance: float  # as that of `PinFit`, m
-    accuracy: Accuracy  # of the coordinates over R + r_in + e
-    notices: tuple[Notice, ...]  # those of `pin_fit`
+    driving: NDArray[np.bool_]  # True if the pair drives, shape (K, N)
+    clearance: float  # radial clearance r_out - r_in - e, m
+    accuracy: Accuracy  # error of the coordinates over R + r_in + e
+    notices: tuple[Notice, ...]  # notices of `pin_fit`
 
 
 def pin_geometry(
@@ -861,38 +673,11 @@ def pin_geometry(
 
     ``M_n = R*(-sin(phi/u + 2*pi*(n-1)/N), cos(...))``,
     ``B_jn = M_n + e*(sin(phi + alpha_j), cos(phi + alpha_j))``,
-    ``E_jn = M_n - r_in*(B_jn - M_n)/e``.
+    ``E_jn = M_n - r_in*(B_jn - M_n)/e``. An initial crank angle turns all cranks. Source:
+    Yanchevskiy and Niekhoroshykh 2021, the equations before (6). C1 there, the square root in the
+    intersection of two circles, vanishes just where pin and hole touch and is not evaluated: the
+    sign of r_out - r_in - e decides the case. A hole must be larger than its pin.
 
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio. An initial crank angle turns all cranks.
-    crank_angle : float
-        Crank angle phi, rad.
-    pin_circle_radius : float
-        Radius R of the circle of pin centres, m.
-    pin_radius, hole_radius : float
-        Radii r_in of the pins and r_out of the holes, m, r_out > r_in.
-    eccentricity : float
-        Eccentricity e of the cranks, m.
-
-    Returns
-    -------
-    PinGeometry
-
-    Raises
-    ------
-    InvalidInput
-        If a length is not positive or the hole not larger than the pin.
-
-    Notes
-    -----
-    Source: Yanchevskiy and Niekhoroshykh 2021, the equations before (6). Their C1, the square
-    root in the intersection of the two circles, cancels to zero just where pin and hole touch
-    and is not evaluated: which case it is follows from the sign of r_out - r_in - e.
-
-    Examples
-    --------
     >>> m = Mechanism.evenly_spaced(pins=4, satellites=1, ratio=20.0)
     >>> g = pin_geometry(mechanism=m, crank_angle=0.0, pin_circle_radius=0.05,
     ...                  pin_radius=0.006, hole_radius=0.008, eccentricity=0.002)

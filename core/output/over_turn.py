@@ -1,8 +1,11 @@
-"""The mechanism as it is made, over the turn: peak, backlash, lost motion, transmission error.
+"""Extremes of the mechanism as made over the turn: peak, backlash, lost motion, transmission error.
 
 Everything depends on the wave angle alone and repeats with its turn; with deviations of pins or
-holes it has no shorter period. Forces have kinks and play has cusps where pairs take over from each
-other, and extremes like to sit there: summits are narrowed to where the lines from both sides meet.
+holes there is no shorter period. Forces have kinks and play has cusps where pairs take over from
+each other, and extremes often lie there. Two pins whose errors nearly use up the clearance make the
+force a row of spikes narrower than any grid. Every summit of the grid is therefore narrowed to
+where the lines from both sides meet, and the grid is dense where pairs take up. A second look at
+other positions narrows summits that may be higher, and the stated error includes what it finds.
 """
 
 import math
@@ -23,34 +26,28 @@ from core.output.turn import Rows, Turn
 from core.precision import AS_TYPED, SAME
 
 HALVINGS = 16
-"""How often a step of the grid in which pairs take over from each other is halved."""
+"""Number of halvings of a step of the grid in which pairs take over from each other."""
 
 FELT = 2.0
-"""How many times its own error a force is there at least, where it is looked for."""
+"""Least force of a pair that counts as carrying, over the error of the force."""
 
 FLAT = 1e-7
-"""How far the place of a smooth summit may be off by the rounding of its height, rad."""
+"""Error of the place of a smooth summit by the rounding of its height, rad."""
 
 
 class Peak(NamedTuple):
-    """The largest force over the turn, and that of each pair."""
+    """Largest force over the turn, and largest force of each pair."""
 
     force: float  # N
-    crank_angle: float  # first one >= 0 where it is, rad
-    pair: int  # index of the pair that carries it there
+    crank_angle: float  # first crank angle >= 0 of the peak, rad
+    pair: int  # index of the pair with the peak
     pair_force: list[float]  # largest force of each pair, N
     relative_error: float  # estimate of the error of the peak
-    evaluations: int  # positions solved for it
+    evaluations: int  # number of solved positions
 
 
 class OverTurn:
-    """Extremes over the turn of the wave, each looked for when it is asked for.
-
-    Parameters
-    ----------
-    turn : Turn
-        The mechanism under a torque.
-    """
+    """Extremes over the turn of the wave, each calculated when it is first asked for."""
 
     def __init__(self, turn: Turn) -> None:
         self.turn = turn
@@ -63,7 +60,7 @@ class OverTurn:
         return Grid(rows["wave"], sign * heights, self.turn.period)
 
     def _above(self, looked: Grid, kind: int, top: Summit, sign: int = 1) -> tuple[Summit, float]:
-        """The higher one of a summit and what a second look finds, and by how much it is."""
+        """Higher one of a summit and the second look's, and the difference of their heights."""
         place, height, error = second_look(
             places=looked.places,
             heights=looked.heights,
@@ -109,44 +106,44 @@ class OverTurn:
 
     @property
     def peak_force(self) -> float:
-        """F_max of all pairs, N."""
+        """Largest force F_max of all pairs over the turn, N."""
         return self._peak.force
 
     @property
     def peak_force_ratio(self) -> float:
-        """F_max/F0, F0 = T/R."""
+        """Largest force over the reference force, F_max/F0 with F0 = T/R."""
         return self.peak_force * self.real.pin_circle_radius / abs(self.turn.torque)
 
     @property
     def peak_crank_angle(self) -> float:
-        """First crank angle >= 0 at which it occurs, rad."""
+        """First crank angle >= 0 of the largest force, rad."""
         return self._peak.crank_angle
 
     @property
     def peak_pair(self) -> PairNumber:
-        """The pair that carries it there."""
+        """Pair that carries the largest force."""
         satellite, pin = divmod(self._peak.pair, self.real.mechanism.pins)
         return PairNumber(satellite + 1, pin + 1)
 
     @property
     def pair_force(self) -> tuple[tuple[float, ...], ...]:
-        """Largest force of each pair, N, K x N."""
+        """Largest force of each pair over the turn, N, K x N."""
         return self.real.rows(self._peak.pair_force)
 
     @derived
     def _contact(self) -> HertzContact:
-        """Contact of the pair with the peak force."""
+        """Contact of the pair with the largest force."""
         return self.real.contact(self._peak.pair, self.peak_force)
 
     @derived
     def _curved_alike(self) -> bool:
-        """Whether all pairs are, so that the largest pressure is at the peak of the force."""
+        """True if all pairs have one curvature, so that the largest force presses hardest."""
         curved = self.real.curved
         return not bool(curved.max() > curved.min() * (1 + SAME))
 
     @derived
     def _pressed(self) -> Summit:
-        """Where the largest pressure is."""
+        """Summit of the pressure over the turn."""
         grid = self._grid(self.turn.fine, "pressure")
         tops = summits(grid=grid, narrow=self.turn.narrow(self.turn.pressure))
         top = max(tops, key=lambda summit: summit.height)
@@ -154,12 +151,12 @@ class OverTurn:
 
     @derived
     def _wraps(self) -> bool:
-        """Whether the largest pressure is not Hertz's."""
+        """True if the largest pressure is not Hertz's."""
         return self.real.wraps(self._peak.pair_force)
 
     @derived
     def hardest(self) -> tuple[int, float]:
-        """The pair with the largest pressure, and its force then, N."""
+        """Pair with the largest pressure and the force at that pressure, N."""
         if self._wraps:
             if self._curved_alike:
                 return self._peak.pair, self.peak_force
@@ -167,7 +164,7 @@ class OverTurn:
             pair = self.real.hardest_pair(forces)
             return pair, forces[pair]
         most = [*self._peak.pair_force]
-        most[self._peak.pair] *= 1 + AS_TYPED  # of pairs alike that one
+        most[self._peak.pair] *= 1 + AS_TYPED  # pair with the peak first among equals
         pair = self.real.hardest_pair(most)
         force = self._peak.pair_force[pair]
         contact = self.real.contact(pair, force)
@@ -175,14 +172,14 @@ class OverTurn:
 
     @derived
     def max_pressure(self) -> float:
-        """Largest pressure, Pa."""
+        """Largest contact pressure over the turn, Pa."""
         if self._wraps:
             return float(self.real.contact(*self.hardest).governing_pressure)
         return self._hertz_pressure
 
     @derived
     def _hertz_pressure(self) -> float:
-        """Largest of Hertz's pressures."""
+        """Largest Hertzian pressure over the turn, Pa."""
         pressure = float(self._contact.max_pressure)
         if not self._curved_alike:
             at_peak = self.peak_force * self.real.curved[self._peak.pair]
@@ -190,13 +187,13 @@ class OverTurn:
         return pressure
 
     def _highest(self, fine: Grid, again: Grid, kind: int, sign: int = 1) -> Summit:
-        """Where a value is largest over the turn, by a grid and a second look at other places."""
+        """Highest summit over the turn, by a grid and a second look at other places."""
         narrow = self.turn.narrow(kind, sign)
         top = max(summits(grid=fine, narrow=narrow, top=True), key=lambda each: each.height)
         return self._above(again, kind, top, sign)[0]
 
     def _extreme(self, name: str, kind: int, sign: int = 1) -> float:
-        """Largest value of the positions over the turn, or least for the sign -1."""
+        """Largest value of a quantity of the positions over the turn, or least for the sign -1."""
         fine, again = (self._grid(rows, name, sign) for rows in (self.turn.fine, self.turn.again))
         return sign * self._highest(fine, again, kind, sign).height
 
@@ -206,16 +203,16 @@ class OverTurn:
 
     @derived
     def backlash_max(self) -> float:
-        """Largest play of the unloaded output, rad; 0 where pairs press."""
+        """Largest play of the unloaded output over the turn, rad; 0 if pairs press without load."""
         return self._extreme("backlash", PLAY)
 
     @derived
     def backlash_min(self) -> float:
-        """Least play, rad."""
+        """Least play of the unloaded output over the turn, rad."""
         return self._extreme("backlash", PLAY, -1) + 0.0
 
     def _by_values(self, kind: int, sign: int = 1) -> float:
-        """Largest value over the turn, or least for the sign -1, of what positions do not have."""
+        """Largest (sign 1) or least value (-1) of a read-out that positions do not keep."""
         turn = self.turn
         looked = turn.positions()[0], turn.again["wave"]
         found = (turn.values(kind, places, turn.period) for places in looked)
@@ -224,44 +221,46 @@ class OverTurn:
 
     @derived
     def lost_motion(self) -> float:
-        """Largest difference of lags under a share of the torque both ways, rad."""
+        """Largest sum of the angular deflections under a share of the torque both ways, rad."""
         return self._by_values(LOST)
 
     @derived
     def lags(self) -> tuple[float, float]:
-        """Largest and least lag under load, rad, counted as the torque turns."""
+        """Largest and least angular deflection under load, positive in the torque's sense, rad."""
         return self._extreme("lag", LAG), self._extreme("lag", LAG, -1)
 
     @property
     def transmission_error(self) -> float:
-        """Largest less least lag under load, rad."""
+        """Largest less least angular deflection under load over the turn, rad."""
         high, low = self.lags
         return high - low
 
     @property
     def pressed_without_load(self) -> bool:
-        """Whether pairs press so anywhere."""
+        """True if pairs press without load at any position."""
         return bool(self.turn.fine["pressed"].any())
 
     @derived
     def unloaded_transmission_error(self) -> float:
-        """The same of the lag at which the first pair touches, rad."""
+        """Largest less least lag at the first contact, rad; 0 if pairs press without load."""
         return 0.0 if self.pressed_without_load else self._spread("high", HIGH)
 
     @derived
     def stiffness_max(self) -> float:
-        """Largest torsional stiffness, N*m/rad."""
+        """Largest torsional stiffness over the turn, N*m/rad."""
         return self._extreme("stiffness", STIFFNESS)
 
     @derived
     def stiffness_min(self) -> float:
-        """Least torsional stiffness, N*m/rad."""
+        """Least torsional stiffness over the turn, N*m/rad."""
         return self._extreme("stiffness", STIFFNESS, -1)
 
     @derived
     def _loaded(self) -> tuple[int, int]:
-        """Least and largest number of pairs that carry, on the grid and where, between two of its
-        positions, some take up and others leave: there it is halved until they are apart.
+        """Least and largest number of pairs that carry.
+
+        Steps of the grid in which some pairs take up and others leave are halved until both are
+        apart.
         """
         turn, rows = self.turn, self.turn.fine
         first = turn.poses([float(rows["wave"][0]) + turn.period])
@@ -285,31 +284,31 @@ class OverTurn:
 
     @property
     def loaded_pairs_min(self) -> int:
-        """Least number of pairs that carry."""
+        """Least number of pairs that carry at once."""
         return self._loaded[0]
 
     @property
     def loaded_pairs_max(self) -> int:
-        """Largest number of pairs that carry; who carries for less than the grid's step only may
-        not be counted.
-        """
+        """Largest number of pairs that carry at once, for longer than about a step of the grid."""
         return self._loaded[1]
 
     @derived
     def input_torque_ripple(self) -> float:
-        """Largest less least torque of the crank, without friction, N*m."""
+        """Largest less least torque of the crank over the turn, without friction, N*m."""
         return self._spread("input_torque", INPUT_TORQUE)
 
     @property
     def accuracy(self) -> Accuracy:
-        """Of the peak force: what twice as many positions change, what a second look at other
-        positions found above, and rounding. An honest estimate, no proof.
+        """Accuracy of the peak force; an estimate, no proof.
+
+        The error is the change by twice as many positions, the rise that a second look at other
+        positions finds, and rounding.
         """
         return Accuracy("sampling_zoomed", self._peak.relative_error, self._peak.evaluations)
 
     @property
     def notices(self) -> tuple[Notice, ...]:
-        """What to know besides."""
+        """Notices on the mechanism, the contact and the accuracy."""
         position = notices(
             real=self.real,
             lag=float(np.abs(self.turn.fine["lag"]).max()),
@@ -324,36 +323,10 @@ def over_turn(
 ) -> OverTurn:
     """Peak force, backlash, lost motion, transmission error and stiffness over the turn.
 
-    Parameters
-    ----------
-    real : RealMechanism
-        The mechanism.
-    output_torque : float
-        Torque T on the output link, N*m, not 0; negative in reverse.
-    lost_motion_share : float
-        Share of the torque under which the lost motion is taken, 0 < share <= 1.
+    The output torque, N*m, is not 0 and negative in reverse. The lost motion is taken under
+    `lost_motion_share` of it, in (0, 1]. ImpossibleMechanism is raised if a position cannot be, see
+    `Stage.solved`: on the even grid at once, between its places when a number is read.
 
-    Returns
-    -------
-    OverTurn
-
-    Raises
-    ------
-    InvalidInput
-        If an input is out of range.
-    ImpossibleMechanism
-        See `RealMechanism.solved`: where a position of the even grid cannot be, or, as its numbers
-        are read, one between.
-
-    Notes
-    -----
-    Two pins whose errors nearly use up the clearance make the force a row of spikes narrower than
-    any grid, so every summit of the grid is narrowed, and the grid is dense where pairs take up.
-    Where many summits are nearly as high, a second look at positions that the first did not have
-    narrows those that may be higher; what it finds above is in the stated error.
-
-    Examples
-    --------
     >>> from core.output.elasticity import LinearLaw
     >>> from core.output.mechanism import Mechanism
     >>> from core.materials import ElasticMaterial
@@ -376,5 +349,5 @@ def over_turn(
     if not lost_motion_share <= 1:
         raise InvalidInput("lost_motion_share", lost_motion_share, "less_than_equal", limit=1)
     found = OverTurn(Turn(real, output_torque, lost_motion_share))
-    assert found.turn.coarse  # refuses what cannot be
+    assert found.turn.coarse  # positions that cannot be are refused here
     return found

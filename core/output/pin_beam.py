@@ -1,14 +1,21 @@
-"""A pin as a beam: moment, shear, deflection and slope under the satellites, for three supports.
+"""A pin as a beam: moment, shear, deflection and slope under the discs, for several supports.
 
-Everything is per unit of a force that is spread evenly over the contact length b around the middle
-plane z of its satellite. x is the distance from the face of the carrier at which the pin is held.
-The moment is positive as that of a cantilever, the deflection in the direction of the force, and
+All results are for a unit force spread evenly over the contact length b around the middle plane z
+of its disc. x is the distance from the face of the carrier that holds the pin. The moment is
+positive in the sense of a cantilever's, the deflection in the direction of the force, with
 
     E*I*theta' = M,   w' = theta + k*V/(G*A),   V = -M',   k = 10/9
 
-(Timoshenko's beam, the shear coefficient of Ovsyannikov et al. 2019; of a tube as in
-`core.output.pin_section`). All four are polynomials
-between the ends of the load, in forms that lose no digits where the load is short.
+(Timoshenko's beam, shear coefficient of Ovsyannikov et al. 2019; for a tube see
+`core.output.pin_section`). Moment, shear force, slope and deflection are polynomials between the
+ends of the load, in forms that lose no digits for a short load.
+
+The face load factor is derived for a line load w in proportion to the approach d. The form is that
+of K_Hbeta of ISO 6336-1 with ``c' = w/d``; tilting and crowning of the disc are left out.
+
+The stress of a section follows from Jourawski's shear stress along the edge. With the bending
+stress s and ``t = sqrt(3)*4/3*V/A`` the squared equivalent stress at the edge angle phi is
+``s^2*cos^2(phi) + t^2*sin^2(phi - beta)``; inside the section it is less.
 """
 
 import math
@@ -31,29 +38,18 @@ from core.output.pin_section import PinSection
 from core.precision import ROUNDING
 
 Support = Literal["cantilever", "supported", "fixed", "tie_ring"]
-"""Held in the carrier at one end; at both, free to tilt; at both, built in; at one, with a tie ring
-that joins the other ends (`core.output.tie_ring`), which as a beam is a cantilever."""
+"""Support of a pin in the carrier: at one end; at both, free to tilt; at both, built in; at one,
+with a tie ring that joins the other ends (`core.output.tie_ring`), which makes it a cantilever as a
+beam.
+"""
 
 
 def check_apart(*, name: str, positions: Sequence[float], width: float) -> None:
-    """Refuse satellites that reach into each other.
+    """Refuse discs whose middle planes along the pin or shaft, m, in any order, are nearer than
+    `width`.
 
-    Parameters
-    ----------
-    name : str
-        Parameter of the places.
-    positions : sequence of float
-        Middle plane of each satellite along pin or shaft, m, in any order.
-    width : float
-        Width of each, m: the length of its contact.
+    `name` is the parameter in the refusal; rounding of decimals is allowed for.
 
-    Raises
-    ------
-    InvalidInput
-        If two places are nearer to each other than the width, but for what decimals lose.
-
-    Examples
-    --------
     >>> check_apart(name="positions", positions=(0.037, 0.015), width=0.022)
     >>> check_apart(name="positions", positions=(0.037, 0.015), width=0.023)
     Traceback (most recent call last):
@@ -69,13 +65,13 @@ def check_apart(*, name: str, positions: Sequence[float], width: float) -> None:
 
 @dataclass(frozen=True, slots=True)
 class PinBeam:
-    """A round pin in its supports; x and z of its methods are those of the module, m."""
+    """Round pin in its supports; x and z are distances from the carrier's face, m."""
 
     support: Support
     contact_length: Number  # b of each load, m, > 0
     rigidity: Number  # E*I, N*m^2, > 0
-    shear_area: Number  # k*E*I/(G*A), m^2, > 0: what shear adds
-    span: Number = math.inf  # L of the two supports, m; infinite of a cantilever
+    shear_area: Number  # k*E*I/(G*A), m^2, > 0: share of shear in the deflection
+    span: Number = math.inf  # L between the supports, m; infinite for a cantilever
 
     @classmethod
     def round(
@@ -89,29 +85,7 @@ class PinBeam:
         span: Number = math.inf,
         bore_diameter: Number = 0.0,
     ) -> "PinBeam":
-        """A pin of one diameter.
-
-        Parameters
-        ----------
-        support : {"cantilever", "supported", "fixed"}
-            How it is held.
-        diameter : float or array
-            Diameter d, m, > 0.
-        contact_length : float or array
-            Length b of each load, m, > 0.
-        youngs_modulus : float or array
-            Young's modulus E, Pa, > 0.
-        poissons_ratio : float or array
-            Poisson's ratio.
-        span : float or array
-            Distance L of the two supports, m, > 0; not of a cantilever.
-        bore_diameter : float or array
-            Diameter of its bore, m, from 0 on, smaller than d.
-
-        Returns
-        -------
-        PinBeam
-        """
+        """Pin of one diameter, m, solid or with a bore; a cantilever has no span."""
         check_positive(
             diameter=diameter,
             contact_length=contact_length,
@@ -126,11 +100,11 @@ class PinBeam:
 
     @property
     def rooted(self) -> bool:
-        """Whether nothing holds its other end."""
+        """True if nothing holds the pin's other end."""
         return self.support == "cantilever"
 
     def _integral(self, times: Literal[1, 2, 3, 4], x: Number, z: Number) -> Number:
-        """Integral of the load from 0 to x, so many times."""
+        """Integral of the load from 0 to x, repeated 1 to 4 times."""
         b, half = self.contact_length, self.contact_length / 2
         y = x - z
         into = smaller(larger(y + half, 0.0), b)
@@ -194,36 +168,10 @@ class PinBeam:
 
 
 def face_load_factor(*, slope: Number, contact_length: Number, approach: Number) -> Number:
-    """Largest line load of a contact along a sloping pin, over its mean.
+    """Largest line load of a contact along a pin of slope s over its mean: ``K_b = 1 + s*b/(2*d)``.
 
-    ``K_b = 1 + s*b/(2*d)`` of a slope s and the approach d of a level contact; where that is above
-    2 a part of the length does not touch, and ``K_b = sqrt(2*s*b/d)`` on ``2/K_b`` of the length.
-
-    Parameters
-    ----------
-    slope : float or array
-        Rotation of the pin's section in the middle of the contact, rad, >= 0.
-    contact_length : float or array
-        Length b of the contact, m, > 0.
-    approach : float or array
-        Approach of the contact under the same force without the slope, m, > 0.
-
-    Returns
-    -------
-    float or array
-        On the line load; the pressure grows with its root.
-
-    Notes
-    -----
-    Derived for a line load in proportion to the approach; the form is that of K_Hbeta of ISO
-    6336-1, with ``c' = w/d``. The wheel's own tilting and crowning are left out.
-
-    Examples
-    --------
-    >>> face_load_factor(slope=1e-3, contact_length=0.02, approach=2e-5)
-    1.5
-    >>> face_load_factor(slope=8e-3, contact_length=0.02, approach=2e-5)
-    4.0
+    The approach d is that of a level contact, m. Above ``K_b = 2`` only ``2/K_b`` of the length b
+    touches, with ``K_b = sqrt(2*s*b/d)``. The pressure grows with the root of K_b.
     """
     check_not_negative(slope=slope)
     check_positive(contact_length=contact_length, approach=approach)
@@ -232,34 +180,12 @@ def face_load_factor(*, slope: Number, contact_length: Number, approach: Number)
 
 
 def section_stress(*, bending: Number, mean_shear: Number) -> Number:
-    """Largest equivalent stress (Mises) of a round section in bending and shear.
+    """Largest equivalent stress (Mises) of a round section, Pa:
+    ``sqrt((|s|^2 + |t|^2 + |s^2 - t^2|)/2)``.
 
-    The shear stress is largest, 4/3 of its mean, where there is no bending. With the moment's
-    stress m and ``v = sqrt(3)*4/3*V/A`` as vectors of the section it is
-    ``sqrt((|m|^2 + |v|^2 + |m^2 - v^2|)/2)``, squares as of complex numbers: the larger of the two
-    where they are parallel, the hypotenuse where they are at right angles.
-
-    Parameters
-    ----------
-    bending : complex, float or array
-        ``M/W``, Pa, in the direction of the force that makes it.
-    mean_shear : complex, float or array
-        ``V/A``, Pa, in its direction.
-
-    Returns
-    -------
-    float or array
-        Pa.
-
-    Notes
-    -----
-    Derived with Jourawski's shear stress, at the edge along the edge: there, at the angle phi,
-    ``s^2*cos^2(phi) + t^2*sin^2(phi - beta)``, whose largest value this is; inside it is less.
-
-    Examples
-    --------
-    >>> round(section_stress(bending=50.0, mean_shear=40.0), 4)
-    92.376
+    s is the bending stress ``M/W`` in the direction of the force that makes it, and
+    ``t = sqrt(3)*4/3`` times the mean shear stress ``V/A``, both as complex numbers in the plane of
+    the section.
     """
     shear = math.sqrt(3) * 4 / 3 * mean_shear
     apart = abs(bending * bending - shear * shear)

@@ -1,5 +1,9 @@
-"""A pin that is a bolt through a spacer: while its preload holds the spacer to the carrier both
-bend, else the bolt bends alone.
+"""A bolt through a spacer as the pin.
+
+Both bend together while the preload holds the spacer to the carrier; otherwise the bolt bends
+alone. With the least preload ``F_min``, the preload over its scatter, the spacer's face is pressed
+everywhere up to ``M = F_min*(d^2 + d_i^2)/(8*d)`` and does not slip up to ``mu*F_min``. A closed
+spacer leaves ``E_b*I_b/(E_b*I_b + E_s*I_s)`` of the moment to the bolt. Derived.
 """
 
 from dataclasses import dataclass
@@ -10,8 +14,10 @@ from core.hertz import ElasticMaterial
 from core.output.pin_section import PinSection
 
 NUT_FACTOR, THREAD = 0.2, 1.25
-"""Of a tightening torque ``K*F*d``, and the diameter d of a thread over that of its core, which no
-thread of M2.5 and larger has: the preload is not less."""
+"""Nut factor K of the tightening torque ``K*F*d``, for bolts without special lubrication, and
+thread diameter d over core diameter. No thread from M2.5 on has a larger ratio, so that the preload
+is not less than calculated.
+"""
 
 SLIP_SAFETY = 1.2
 """Safety of the spacer against slipping on the carrier."""
@@ -19,16 +25,16 @@ SLIP_SAFETY = 1.2
 
 @dataclass(frozen=True, slots=True)
 class PinBolt:
-    """A bolt through a spacer, from the carrier to its head or nut."""
+    """Bolt through a spacer, from the carrier to its head or nut."""
 
-    core_diameter: float  # of the thread, m, > 0
-    preload: float | None = None  # F_v as it is tightened, N, > 0; unknown where not given
-    preload_scatter: float = 1.8  # largest over least preload of the way it is tightened, >= 1
+    core_diameter: float  # core diameter of the thread, m, > 0
+    preload: float | None = None  # F_v after tightening, N, > 0; None if unknown
+    preload_scatter: float = 1.8  # largest over least preload of the tightening method, >= 1
     friction_coefficient: float = 0.15  # mu of the spacer on the carrier, > 0
-    material: ElasticMaterial | None = None  # of its core, with Re; that of the spacer without
-    tensile_strength: float | None = None  # Rm of that, Pa
-    steel: bool = False  # whether it is a steel, as `DesignPin` says it
-    valid_diameter: float | None = None  # largest one that these strengths hold for, m
+    material: ElasticMaterial | None = None  # material of the core, with Re; or the spacer's
+    tensile_strength: float | None = None  # Rm of that material, Pa
+    steel: bool = False  # True for a steel, as `DesignPin` defines it
+    valid_diameter: float | None = None  # largest diameter for which the strengths hold, m
 
     def __post_init__(self) -> None:
         check_positive(
@@ -42,26 +48,10 @@ class PinBolt:
 
 
 def bolt_preload(*, tightening_torque: float, core_diameter: float) -> float:
-    """Preload of a bolt by the torque of its wrench, ``F = T/(K*d)``.
+    """Preload of a bolt by its tightening torque, ``F = T/(K*d)``, N; d is `THREAD` core diameters.
 
-    Parameters
-    ----------
-    tightening_torque : float
-        Torque T, N*m.
-    core_diameter : float
-        Of the thread, m; the thread is taken to be `THREAD` times as thick.
+    Lubricated bolts reach a higher preload.
 
-    Returns
-    -------
-    float
-        N.
-
-    Notes
-    -----
-    The nut factor K = 0.2 of bolts as they come; lubricated ones are drawn tighter.
-
-    Examples
-    --------
     >>> round(bolt_preload(tightening_torque=1.2, core_diameter=0.002459))
     1952
     """
@@ -70,54 +60,55 @@ def bolt_preload(*, tightening_torque: float, core_diameter: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class Grip:
-    """A bolt and its spacer under the largest loads of the root; of no preload that is known, under
-    which nothing is known to open, to slip or to hold.
+    """Bolt and spacer under the largest loads of the root, if the preload is not known.
+
+    Nothing is then known to open, to slip or to hold.
     """
 
     moment: float  # M of the root, N*m
     shear_force: float  # V of the root, N
-    bending_amplitude: float  # of the bolt while the spacer holds, Pa
+    bending_amplitude: float  # bending stress of the bolt while the spacer holds, Pa
     alone_stress: float  # bending stress of the bolt where it bends alone, Pa
-    opening_moment: float | None = None  # at which the spacer opens, N*m
-    slip_force: float | None = None  # at which it slips, N
-    squeeze: float = 0.0  # of the spacer by the preload, Pa
+    opening_moment: float | None = None  # moment at which the spacer opens, N*m
+    slip_force: float | None = None  # shear force at which the spacer slips, N
+    squeeze: float = 0.0  # pressure of the spacer by the preload, Pa
 
     @property
     def opens(self) -> bool:
-        """Whether the spacer opens at its root."""
+        """True if the spacer opens at its root."""
         return False
 
     @property
     def slips(self) -> bool:
-        """Whether it slips there, with its safety."""
+        """True if the spacer slips at its root, with the safety against slipping."""
         return False
 
     @property
     def holds(self) -> bool:
-        """Whether the spacer carries: it neither opens nor slips under a preload that is known."""
+        """True if the spacer carries: it neither opens nor slips under a known preload."""
         return False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PreloadedGrip(Grip):
-    """The same under a preload."""
+    """Bolt and spacer under a known preload and the largest loads of the root."""
 
     opening_moment: float  # N*m
     slip_force: float  # N
 
     @property
     def opens(self) -> bool:
-        """Beyond the opening moment."""
+        """True if the moment is beyond the opening moment."""
         return self.moment > self.opening_moment
 
     @property
     def slips(self) -> bool:
-        """Beyond the slip force over its safety."""
+        """True if the shear force is beyond the slip force over `SLIP_SAFETY`."""
         return self.shear_force > self.slip_force / SLIP_SAFETY
 
     @property
     def holds(self) -> bool:
-        """Where it does neither."""
+        """True if the spacer neither opens nor slips."""
         return not (self.opens or self.slips)
 
 
@@ -130,31 +121,10 @@ def grip(
     shear_force: float,
     modulus_ratio: float = 1.0,
 ) -> Grip:
-    """What a bolt and its spacer bear at their root.
+    """State of a bolt and its spacer of two diameters, m, under the loads of their root.
 
-    Parameters
-    ----------
-    bolt : PinBolt
-        The bolt.
-    diameter, bore : float
-        Outer and inner diameter of the spacer, m.
-    moment, shear_force : float
-        Largest ones of the root, as the spacer carries them, N*m and N.
-    modulus_ratio : float
-        Young's modulus E_b of the bolt over E_s of the spacer.
+    Moment, N*m, and shear force, N, are those of the spacer alone; `modulus_ratio` is E_b/E_s.
 
-    Returns
-    -------
-    Grip
-
-    Notes
-    -----
-    With the least preload ``F_min``, preload over scatter: the face of the spacer is pressed
-    everywhere up to ``M = F_min*(d^2 + d_i^2)/(8*d)``, and does not slip up to ``mu*F_min``.
-    While it is closed the bolt takes ``E_b*I_b/(E_b*I_b + E_s*I_s)`` of the moment. Derived.
-
-    Examples
-    --------
     >>> found = grip(
     ...     bolt=PinBolt(0.002459, 2000.0, 1.6), diameter=0.007, bore=0.0032, moment=1.65,
     ...     shear_force=366.8)

@@ -1,4 +1,4 @@
-"""Fatigue of a pin: the cycle of its worst point."""
+"""Fatigue of a pin by the stress cycle of its worst point."""
 
 from dataclasses import dataclass
 
@@ -6,20 +6,20 @@ from core.fatigue import CycleFatigue, FatigueStrength, judge_cycle
 from core.precision import ROUNDING
 
 NOTHING = 16 * ROUNDING
-"""A stress beside a larger one that is rounding only."""
+"""Stress over a larger one that is only rounding."""
 
 __all__ = ["FatigueStrength", "PinFatigue", "judged"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PinFatigue(CycleFatigue):
-    """The worst stress cycle of a pin; one a turn of the crank against the output."""
+    """Worst stress cycle of a pin, one for each turn of the crank against the output."""
 
-    # Direction chi of the point of the section's edge from the tangential one, towards growing
-    # pressure angles, rad, 0 to 2*pi; None where the pin rotates and all are alike.
+    # Direction chi of the point on the section's edge from the tangential direction, towards
+    # growing pressure angles, rad, 0 to 2*pi; None if the pin rotates, so that all are alike.
     direction: float | None
-    position: float  # of the section from the carrier's face, m
-    life: float | None  # its cycles as time, s, where finite and the speed is known
+    position: float  # distance of the section from the carrier's face, m
+    life: float | None  # life, s, if finite and the speed is known
 
 
 def judged(
@@ -30,24 +30,10 @@ def judged(
     largest: float,
     least: float,
 ) -> PinFatigue:
-    """The fatigue of a cycle of stress.
+    """Fatigue of a stress cycle between `largest` and `least`, Pa, without a life as time.
 
-    Parameters
-    ----------
-    strength : FatigueStrength
-        What it is judged by.
-    direction : float or None
-        Direction of the point of the section's edge, rad; None where all are alike.
-    position : float
-        Distance of the section from the carrier's face, m.
-    largest, least : float
-        Ends of the cycle, Pa.
-
-    Returns
-    -------
-    PinFatigue
-        Without a life as time; an end of the cycle within `NOTHING` of the other is 0, as of a pin
-        that is unloaded for a part of the turn.
+    An end within `NOTHING` of the other's size counts as 0, as of a pin that is unloaded for a
+    time.
     """
     nothing = NOTHING * max(abs(largest), abs(least))
     largest, least = (0.0 if abs(each) <= nothing else each for each in (largest, least))

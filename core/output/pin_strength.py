@@ -1,9 +1,10 @@
 """Strength of the pins: bending, shear and deflection over the turn, static safety, fatigue.
 
-The force on a pin turns while it grows and falls, so that no fixed rule says what cycle the stress
-makes: it follows from the locus that the bending moment of a section describes over the turn. With
-the support function ``h(chi)``, the locus' largest moment in the direction chi, a point of the
-section's edge goes from ``-h(chi + pi)/W`` to ``h(chi)/W``, ``W = pi*d^3/32`` of a solid pin.
+The force on a pin turns while it grows and falls, so that no fixed rule gives the stress cycle. The
+cycle follows from the locus that the bending moment of a section describes over the turn. With the
+support function ``h(chi)``, the largest moment of the locus in the direction chi, the stress of a
+point of the section's edge ranges from ``-h(chi + pi)/W`` to ``h(chi)/W``, with ``W = pi*d^3/32``
+of a solid pin.
 """
 
 import math
@@ -31,35 +32,36 @@ from core.output.tied_pin import TiedPin, TieRingLoad
 from core.precision import EXACT, ROUNDING, SEARCHED
 
 DRAWN = 1e-4
-"""How far a line that is drawn may lie off the forces, over the largest."""
+"""Distance of a drawn line from the forces, over the largest force."""
 
 AT_ZERO = 1e-6
-"""Directions closer to 0 than this, rad, are 0: none is known better."""
+"""Angle, rad, below which a direction counts as 0, as directions are not known better."""
 
 
 @dataclass(frozen=True, slots=True)
 class PinDeflection:
-    """Deflection and slope of a pin in the middle planes of satellites, each where it is largest:
-    between two supports a pin slopes least where it deflects most.
+    """Largest deflection and largest slope of a pin over the middle planes of the discs.
+
+    Each has a disc of its own: between two supports a pin slopes least where it deflects most.
     """
 
-    satellite: int  # where it deflects most, from 1
+    satellite: int  # number of the disc with the largest deflection, from 1
     deflection: float  # largest over the turn, m
-    slope_satellite: int  # where it slopes most, from 1
-    # Largest rotation of the section over the turn, rad; of one satellite between two supports it
-    # may be small, and is as good as the deflection over the distance to the nearer one.
+    slope_satellite: int  # number of the disc with the largest slope, from 1
+    # Largest rotation of the section over the turn, rad. For one disc between two supports it may
+    # be small; its error is that of the deflection over the distance to the nearer support.
     slope: float
 
 
 @dataclass(frozen=True, slots=True)
 class MomentLocus:
-    """Bending moment of a section of pin 1 over a turn of the crank against the output."""
+    """Bending moment of a section of a pin over a turn of the crank against the output."""
 
-    position: float  # of the section from the carrier's face, m
+    position: float  # distance of the section from the carrier's face, m
     crank_angle: FloatArray  # rad, shape (n,); both sides of every switching angle
     tangential: FloatArray  # moment by the tangential forces, N*m, shape (n,)
     radial: FloatArray  # moment by the radial forces, N*m, shape (n,)
-    # Stress in the worst direction of the fatigue, else in that of the largest moment, Pa, shape
+    # Stress in the worst direction of the fatigue, or in that of the largest moment, Pa, shape
     # (n,).
     stress: FloatArray
 
@@ -70,50 +72,50 @@ class PinStrength:
 
     peak_force: float  # largest contact force, N
     peak_moment: float  # largest bending moment of any section, N*m
-    peak_moment_position: float  # of that section from the carrier's face, m
-    peak_bending_stress: float  # of that section, Pa
-    peak_shear_force: float  # largest of any section, N
-    peak_shear_stress: float  # largest, 4/3 of its mean, Pa
-    peak_equivalent_stress: float  # largest of any section (Mises), Pa
-    static_stress: float  # the same under the peak torque, Pa
-    yield_strength: float | None  # Re of the pin, Pa, where it is known
-    cycle: PinFatigue | None  # the worst stress cycle, where asked
-    deflection: PinDeflection  # largest in each satellite, and slopes
-    # Of the section of the worst cycle, else of the largest moment, where it was asked.
+    peak_moment_position: float  # distance of its section from the carrier's face, m
+    peak_bending_stress: float  # largest bending stress of any section, Pa
+    peak_shear_force: float  # largest shear force of any section, N
+    peak_shear_stress: float  # largest shear stress, 4/3 of its mean, Pa
+    peak_equivalent_stress: float  # largest equivalent stress of any section (Mises), Pa
+    static_stress: float  # largest equivalent stress under the peak torque, Pa
+    yield_strength: float | None  # Re of the pin, Pa, if known
+    cycle: PinFatigue | None  # worst stress cycle, if asked for
+    deflection: PinDeflection  # largest deflection and slope
+    # Locus of the section of the worst cycle, or of the largest moment, if it was asked for.
     locus: MomentLocus | None
-    pin: int  # the pin of which it is, from 1; those of an ideal mechanism are alike
-    tie_ring: TieRingLoad | None  # what it bears, where one joins the pins
-    # Of all numbers but direction, amplitude, mean and life of the fatigue: the first three are
-    # good to `FLAT`, as the utilisation is flat there; the life has the error of the safety times
-    # the slope of its line.
+    pin: int  # number of the worst pin, from 1; ideal pins are alike
+    tie_ring: TieRingLoad | None  # loads of the tie ring, if one joins the pins
+    # Accuracy of all numbers but direction, amplitude, mean and life of the fatigue. The first
+    # three are less exact than the utilisation, which is flat about the worst place; the life has
+    # the error of the safety times the slope of the S-N line.
     accuracy: Accuracy
     notices: tuple[Notice, ...]
-    bolt: Grip | None = None  # and its spacer, where the pin is one
+    bolt: Grip | None = None  # bolt and spacer, if the pin is a bolt
 
     @property
     def static_safety_factor(self) -> float:
-        """Re over the largest stress under the peak torque; `NotKnown` without it."""
+        """Yield strength Re over the stress under the peak torque; `NotKnown` without Re."""
         return required(self.yield_strength, "yield_unknown") / self.static_stress
 
     @property
     def fatigue(self) -> PinFatigue:
-        """The worst stress cycle; `NotKnown` where nothing is known of it."""
+        """Worst stress cycle of the pins; `NotKnown` without fatigue data."""
         return required(self.cycle, "endurance_unknown")
 
 
 @dataclass(frozen=True, slots=True)
 class PinStresses:
-    """Stresses of the pins over the turn, from which their strength follows."""
+    """Stresses of the pins over the turn, from which the strength follows."""
 
-    pin: LoadedPin  # as a beam
+    pin: LoadedPin  # pin as a beam
     mechanism: Mechanism
-    material: ElasticMaterial  # of the pin
-    cases: list["_Stresses"]  # largest stresses of a pin where all are alike, else of each
+    material: ElasticMaterial  # material of the pin
+    cases: list["_Stresses"]  # largest stresses of one pin if all are alike, or of each
     static: float  # largest equivalent stress under the peak torque over that of the cases
-    method: str  # how they were found
-    error: float  # relative, of all stresses
-    evaluations: int  # how often forces were evaluated
-    tie_ring: TieRingLoad | None = None  # what it bears, where one joins the pins
+    method: str  # method of the stresses
+    error: float  # relative error of all stresses
+    evaluations: int  # number of evaluations of the forces
+    tie_ring: TieRingLoad | None = None  # loads of the tie ring, if one joins the pins
 
     @property
     def loads(self) -> list[PinLoads]:
@@ -128,23 +130,11 @@ class PinStresses:
         input_speed: float | None = None,
         locus: bool = False,
     ) -> PinStrength:
-        """Strength by these stresses.
+        """Strength that follows from the stresses.
 
-        Parameters
-        ----------
-        rotates : bool
-            Whether the pin turns in the carrier: then every point of its edge meets every
-            direction, and the cycle of the largest moment is fully reversed.
-        fatigue : FatigueStrength, optional
-            What its fatigue is judged by.
-        input_speed : float, optional
-            Speed w_in of the crank, rad/s, > 0, for the life.
-        locus : bool
-            Whether the locus of the moment is wanted.
-
-        Returns
-        -------
-        PinStrength
+        If the pin `rotates` in the carrier, every point of the edge meets every direction, and the
+        cycle of the largest moment is fully reversed. The crank's `input_speed`, rad/s, is needed
+        for a life as time; True for `locus` adds the locus of the moment.
         """
         pin, found, mechanism = self.pin, self.cases, self.mechanism
         positions = pin.positions.tolist()
@@ -210,15 +200,10 @@ def pin_stresses(
 ) -> PinStresses:
     """Stresses of the pins over the turn.
 
-    The forces are the ideal ones, shared equally by the satellites; with `made` those of the
-    mechanism as it is made, and the worst pin counts.
-
     Parameters
     ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
     force_exponent : float
-        Exponent v of the force over the approach.
+        Exponent v of the force over the approach, for the ideal forces.
     output_torque : float
         Torque T on the output link, N*m, > 0.
     pin_circle_radius : float
@@ -226,42 +211,32 @@ def pin_stresses(
     diameter : float
         Diameter d of the pin, m, > 0.
     bore_diameter : float
-        Diameter of its bore, m, from 0 to 0.95 d.
+        Diameter of the bore, m, from 0 to 0.95 d.
     contact_length : float
         Length b over which each force is spread evenly, m, > 0.
     satellite_positions : tuple of float
-        Middle plane z of each satellite from the carrier's face, m, at least b/2; beside a span at
-        most ``L - b/2``.
-    material : ElasticMaterial
-        Of the pin.
+        Middle plane z of each disc from the carrier's face, m, at least b/2, and at most
+        ``L - b/2`` with a span L.
     support : {"cantilever", "supported", "fixed", "tie_ring"}
-        Held at one end; at both, free to tilt; at both, built in; at one, with a tie ring that
-        joins the other ends.
+        Support of the pin, see `core.output.pin_beam.Support`.
     span : float, optional
-        Distance L of the two supports, or of the ring from the carrier, m; for the latter three.
+        Distance L of the supports, or of the tie ring from the carrier, m; not of a cantilever.
     ring_joint : {"pinned", "clamped"}
-        Of a tie ring to the pins.
+        Joint of a tie ring to the pins.
     application_factor : float
-        Factor K_A on the torque, > 0, in all but the static safety.
+        Factor K_A on the torque, > 0, also in the static safety if no peak torque is given.
     peak_torque : float, optional
-        Torque of the static safety, N*m, > 0; ``K_A*T`` where not given.
+        Torque of the static safety, N*m, > 0; ``K_A*T`` by default.
     torque_direction : {"driving", "reverse", "alternating"}
-        Of a torque that alternates each cycle has both directions.
+        Sense of the torque; each cycle of an alternating one has both senses.
     made : callable, optional
-        Forces on the pins of the mechanism as it is made, see `core.output.real_turn.sampled`; or
-        on other pins that discs load.
-
-    Returns
-    -------
-    PinStresses
+        Forces on the pins of the mechanism as made, see `core.output.real_turn.sampled`; the worst
+        pin counts. Ideal forces, shared equally by the discs, are the default.
 
     Raises
     ------
-    InvalidInput
-        If a size is out of range or a satellite is not between the supports.
     ImpossibleMechanism
         If the mechanism has a dead centre.
-
     """
     check_single(
         output_torque=output_torque,
@@ -309,7 +284,7 @@ def pin_stresses(
     turns = [forces(way * torque) for way in ways]
     cases = _cases(turns)
     found: list[_Stresses] = []
-    for case in reversed(cases):  # the uneven ones first, within which others mostly stay
+    for case in reversed(cases):  # Uneven cases come first: the others mostly stay within them.
         most = max((each.equivalent for each in found), default=0.0)
         found.insert(0, _stresses(pin, case, most))
     static = static_torque / torque
@@ -341,33 +316,10 @@ def pin_strength(
 ) -> PinStrength:
     """Bending, shear, static safety, fatigue and deflection of the pins.
 
-    Parameters
-    ----------
-    rotates : bool
-        Whether the pin turns in the carrier: then every point of its edge meets every direction,
-        and the cycle of the largest moment is fully reversed.
-    fatigue : FatigueStrength, optional
-        What its fatigue is judged by.
-    input_speed : float, optional
-        Speed w_in of the crank, rad/s, > 0, for the life.
-    locus : bool
-        Whether the locus of the moment is wanted.
-    **loaded
-        What `pin_stresses` takes.
-
-    Returns
-    -------
-    PinStrength
-
-    Notes
-    -----
-    Source of the ideal forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10); the rest is derived,
-    see docs/theory.md. In reverse an ideal pin feels the same forces the other way, half a turn of
-    the wave later. A pin shorter than half its diameter bends less than its seat gives way.
-
-    Examples
-    --------
-    Six pins, two satellites, 500 N*m: every point of the root has the same amplitude.
+    The parameters are those of `PinStresses.strength` and `pin_stresses`. Source of the ideal
+    forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10); the rest is derived, see docs/theory.md.
+    In reverse an ideal pin feels opposite forces half a turn of the wave later. A pin shorter than
+    half its diameter bends less than its seat gives way.
 
     >>> steel = ElasticMaterial(210e9, 0.3, yield_strength=800e6)
     >>> pin = {"output_torque": 500.0, "pin_circle_radius": 0.05, "diameter": 0.016,
@@ -387,7 +339,7 @@ def pin_strength(
 
 
 def _cases(turns: list[PinForces]) -> list[PinLoads]:
-    """Each pin that differs from the others, under all directions."""
+    """Loads of each pin that differs from the others, in all senses of the torque."""
     return [
         PinLoads(PinSamples.together([turn.felt(pin) for turn in turns]), pin + 1)
         for pin in range(turns[0].unlike)
@@ -396,9 +348,7 @@ def _cases(turns: list[PinForces]) -> list[PinLoads]:
 
 @dataclass(frozen=True, slots=True)
 class _Stresses:
-    """Largest over the turn: stresses, Pa, and at each satellite forces, N, deflections, m, and
-    slopes, rad.
-    """
+    """Largest stresses of a turn, Pa, and forces, N, deflections, m, slopes, rad, by discs."""
 
     loads: PinLoads
     bent: float
@@ -411,8 +361,9 @@ class _Stresses:
 
 
 def _stresses(pin: LoadedPin, loads: PinLoads, beyond: float) -> _Stresses:
-    """What a pin bears under loads; the equivalent stress only where it is beyond another. Of loads
-    that come one by one, moment and shear force are parallel.
+    """Largest stresses of a pin; the equivalent stress only if it exceeds `beyond`, Pa.
+
+    Moment and shear force of loads that come one at a time are parallel.
     """
     found, count, alone = pin.largest(loads), 3 * len(pin.positions), loads.one_by_one
     forces, deflections, slopes = found[:count].reshape(3, -1)
@@ -443,8 +394,9 @@ def _stresses(pin: LoadedPin, loads: PinLoads, beyond: float) -> _Stresses:
 def _cycles(
     pin: LoadedPin, cases: list[_Stresses], strength: FatigueStrength, rotates: bool
 ) -> Iterator[tuple[_Stresses, PinFatigue]]:
-    """Cycles of cases of which one may be the worst; none is worse than its largest stress, fully
-    reversed.
+    """Cases with their stress cycles of which one may be the worst.
+
+    No cycle is worse than the case's largest stress, fully reversed.
     """
     least = math.inf  # safety factor
     for case in sorted(cases, key=lambda each: -each.bent):
@@ -464,7 +416,7 @@ def _cycles(
 
 
 def _check_positions(mechanism: Mechanism, positions: tuple[float, ...], beam: PinBeam) -> None:
-    """Refuse satellites whose contact is not on the pin."""
+    """Refuse discs whose contact is not on the pin."""
     length, span = float(beam.contact_length), beam.span
     name = "satellite_positions"
     if len(positions) != mechanism.satellites:
@@ -483,9 +435,7 @@ def _check_positions(mechanism: Mechanism, positions: tuple[float, ...], beam: P
 def _locus(
     pin: LoadedPin, case: PinLoads, mechanism: Mechanism, position: float, chi: float | None
 ) -> MomentLocus:
-    """The locus of a section, with its stress in a direction, else in that of the largest
-    moment.
-    """
+    """Moment locus of a section, with the stress in chi or in the largest moment's direction."""
     turn = case.turn.thinned(DRAWN)
     angles = (turn.wave - mechanism.initial_crank_angle) / mechanism.waves_per_turn
     stress = turn.sums(pin.moments(np.array([position])))[0]
@@ -501,9 +451,7 @@ def _locus(
 
 
 def _of_two_supports(beam: PinBeam, positions: tuple[float, ...]) -> float:
-    """What is lost where a support is near all satellites: there the deflection is small beside its
-    parts, by the cube of the distance.
-    """
+    """Rounding error of the deflection, by the cube of span over distance to a support."""
     if beam.rooted:
         return 0.0
     near = max(min(z, beam.span - z) for z in positions)
@@ -512,7 +460,7 @@ def _of_two_supports(beam: PinBeam, positions: tuple[float, ...]) -> float:
 
 
 def _deflection(cases: list[_Stresses]) -> PinDeflection:
-    """Deflection and slope, each in the middle of the satellite where it is largest."""
+    """Largest deflection and slope in the middle planes of the discs."""
     deflections = np.max([each.deflections for each in cases], axis=0)
     slopes = np.max([each.slopes for each in cases], axis=0)
     return PinDeflection(
@@ -524,6 +472,6 @@ def _deflection(cases: list[_Stresses]) -> PinDeflection:
 
 
 def _turned(chi: float) -> float:
-    """Direction from 0 to less than a turn."""
+    """Direction from 0 to less than a turn, rad."""
     chi %= 2 * math.pi
     return chi if AT_ZERO < chi < 2 * math.pi - AT_ZERO else 0.0

@@ -1,4 +1,4 @@
-"""Curves of the mechanism as it is made: over the crank angle, and of the lag over the torque."""
+"""Curves of the mechanism as made, over the crank angle and over the torque."""
 
 import math
 from collections.abc import Sequence
@@ -15,32 +15,22 @@ from core.precision import EXACT
 
 @dataclass(frozen=True, slots=True)
 class RealCurves:
-    """The mechanism under load at crank angles."""
+    """Mechanism under load at crank angles."""
 
     crank_angle: FloatArray  # rad, shape (M,)
     force: FloatArray  # N, shape (K*N, M), satellite by satellite
-    rotation: FloatArray  # lag of the output under the torque, rad, shape (M,)
-    reverse_rotation: FloatArray  # under the same torque the other way, rad, shape (M,)
-    # Limits of the play of the unloaded output, rad, shape (M,); the middle between them, twice,
-    # where pairs press without load.
+    rotation: FloatArray  # angular deflection of the output under the torque, rad, shape (M,)
+    reverse_rotation: FloatArray  # deflection under the opposite torque, rad, shape (M,)
+    # Limits of the play of the unloaded output, rad, shape (M,); both are their middle if pairs
+    # press without load.
     play_from: FloatArray
     play_to: FloatArray  # rad, shape (M,)
-    stiffness: FloatArray  # torque over rotation, N*m/rad, shape (M,)
-    input_torque: FloatArray  # of the crank, without friction, N*m, shape (M,)
-    accuracy: Accuracy  # of the forces, over the largest
+    stiffness: FloatArray  # slope of torque over rotation, N*m/rad, shape (M,)
+    input_torque: FloatArray  # torque of the crank without friction, N*m, shape (M,)
+    accuracy: Accuracy  # error of the forces over the largest
 
     def at_output(self, members: Members) -> "RealCurves":
-        """The same with the angles of the output.
-
-        Parameters
-        ----------
-        members : Members
-            Which is the output.
-
-        Returns
-        -------
-        RealCurves
-        """
+        """Curves with the angles and the stiffness of the output member."""
         angle = members.angle_at_output
         return replace(
             self,
@@ -53,31 +43,12 @@ class RealCurves:
 
 
 def real_curves(*, real: Stage, crank_angle: FloatArray, output_torque: float) -> RealCurves:
-    """Forces, lags, play, stiffness and input torque at crank angles.
+    """Forces, angular deflections, play, stiffness and input torque at M crank angles, rad.
 
-    Parameters
-    ----------
-    real : Stage
-        The mechanism.
-    crank_angle : array, M
-        Crank angles, rad.
-    output_torque : float
-        Torque T on the output link, N*m, not 0; negative in reverse.
-
-    Returns
-    -------
-    RealCurves
-
-    Raises
-    ------
-    ImpossibleMechanism
-        See `Stage.solved`.
-
-    Notes
-    -----
-    Without friction the crank's torque carries the load and what the contacts store:
-    ``T_in = T/u + (1 + 1/u)*sum F*d(approach)/d(psi)``; over a turn the second part is nothing on
-    the mean.
+    The torque T on the output link, N*m, is not 0 and negative in reverse; ImpossibleMechanism is
+    raised as by `Stage.solved`. Without friction the crank's torque carries the load and the energy
+    that the contacts store, ``T_in = T/u + (1 + 1/u)*sum F*d(approach)/d(psi)``; the second part
+    has the mean 0 over a turn.
     """
     check_single(output_torque=output_torque)
     direction, waves = math.copysign(1.0, output_torque), [*map(real.wave, crank_angle.tolist())]
@@ -102,26 +73,16 @@ def real_curves(*, real: Stage, crank_angle: FloatArray, output_torque: float) -
 
 @dataclass(frozen=True, slots=True)
 class StiffnessCurve:
-    """Lag over torque at one crank angle."""
+    """Angular deflection over torque at one crank angle."""
 
     crank_angle: float  # rad
     torque: tuple[float, ...]  # N*m, shape (M,)
-    rotation: tuple[float, ...]  # lag under each, rad, shape (M,)
-    stiffness: tuple[float, ...]  # slope of the torque over the lag at each, N*m/rad, shape (M,)
-    accuracy: Accuracy  # of the lags, over the largest
+    rotation: tuple[float, ...]  # angular deflection under each torque, rad, shape (M,)
+    stiffness: tuple[float, ...]  # slope of torque over rotation, N*m/rad, shape (M,)
+    accuracy: Accuracy  # error of the rotations over the largest
 
     def at_output(self, members: Members) -> "StiffnessCurve":
-        """The same with torques and angles of the output.
-
-        Parameters
-        ----------
-        members : Members
-            Which is the output.
-
-        Returns
-        -------
-        StiffnessCurve
-        """
+        """Curve with the torques, angles and stiffness of the output member."""
         return replace(
             self,
             torque=tuple(map(members.torque_at_output, self.torque)),
@@ -131,27 +92,10 @@ class StiffnessCurve:
 
 
 def stiffness_curve(*, real: Stage, crank_angle: float, torques: Sequence[float]) -> StiffnessCurve:
-    """Lag under several torques at one crank angle; there is no hysteresis without friction.
+    """Angular deflection under several torques, N*m, at one crank angle, rad.
 
-    Parameters
-    ----------
-    real : Stage
-        The mechanism.
-    crank_angle : float
-        Crank angle, rad.
-    torques : sequence of float
-        Torques on the output link, N*m, none 0: there the output lies anywhere within its play.
-
-    Returns
-    -------
-    StiffnessCurve
-
-    Raises
-    ------
-    InvalidInput
-        If a torque is 0.
-    ImpossibleMechanism
-        See `Stage.solved`.
+    No torque may be 0, under which the output lies anywhere within its play. The curve has no
+    hysteresis, as there is no friction. ImpossibleMechanism is raised as by `Stage.solved`.
     """
     check_single(crank_angle=crank_angle)
     psi, found = real.wave(crank_angle), []

@@ -1,7 +1,7 @@
-"""Which pairs really carry, when, how many together: the mechanism as it is made, under a torque.
+"""Pairs that carry under a torque in the mechanism as made, when, and how many together.
 
 A pair carries where its force is above zero. All forces repeat with the wave, so that one turn of
-it is solved: on a grid, between whose places the ends are halved down.
+the wave is solved on a grid. The ends of carrying are found by bisection between the grid's places.
 """
 
 import math
@@ -19,60 +19,42 @@ from core.output.turn import Turn
 from core.precision import ROUNDING
 
 SAMPLES = 720
-"""Places of the grid over a turn of the wave, none of which is a switching angle."""
+"""Number of places of the grid over a turn of the wave, none of which is a switching angle."""
 
 HALVINGS = 16
-"""How often the step that holds an end is halved."""
+"""Number of halvings of the step that holds an end."""
 
 
 class Ends(NamedTuple):
-    """Where pairs begin and end to carry."""
+    """Places where pairs begin and end to carry."""
 
     wave: FloatArray  # wave angles from crank angle 0, rad, shape (n,)
-    pair: IntArray  # which pair, satellite by satellite, shape (n,)
-    falls: BoolArray  # whether it ends there, shape (n,)
-    carries: BoolArray  # which pairs carry at the first place, shape (K*N,)
+    pair: IntArray  # index of the pair, disc by disc, shape (n,)
+    falls: BoolArray  # True if the pair ends to carry there, shape (n,)
+    carries: BoolArray  # True for pairs that carry at the first place, shape (K*N,)
 
 
 @dataclass(frozen=True, slots=True)
 class RealCyclogram:
-    """Which pairs carry under a torque."""
+    """Pairs that carry under a torque over a range of crank angles."""
 
     period: float  # crank angle after which each pair carries again, rad
-    # All pairs, satellite by satellite, and the crank angles from and to which each carries, rad,
-    # cut at the ends of the range.
+    # All pairs, disc by disc, and the crank angles from and to which each carries, rad, cut at the
+    # ends of the range.
     pairs: tuple[DrivingPair, ...]
     # Number of pairs that carry over the range, neighbours with the same number joined.
     loaded_count: tuple[CountInterval, ...]
     min_loaded: int  # least number of pairs over the range
     max_loaded: int  # largest number
-    step: float  # of the grid, crank angle, rad: what is shorter may not be found
-    accuracy: Accuracy  # of the ends, over the period
+    step: float  # step of the grid in crank angle, rad; shorter intervals may be missed
+    accuracy: Accuracy  # error of the ends over the period
 
 
 def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:
-    """Cyclogram of the pairs that carry, over a number of crank revolutions.
+    """Cyclogram of the pairs that carry, over a number of crank revolutions from the crank angle 0.
 
-    Parameters
-    ----------
-    turn : Turn
-        The mechanism as it is made under its torque.
-    revolutions : float
-        Length of the range, in turns of the crank from 0, > 0.
-
-    Returns
-    -------
-    RealCyclogram
-
-    Raises
-    ------
-    ImpossibleMechanism
-        See `core.output.real_mechanism.RealMechanism.solved`.
-
-    Notes
-    -----
-    The torque is that of the load without its dynamic factor. The equilibrium at each place is that
-    of `core.output.loaded_position`; a force is zero where its pair has not closed its gap.
+    The torque of `turn` is the load without application factor K_A or dynamic factor.
+    ImpossibleMechanism is raised as by `Stage.solved`.
     """
     mechanism, solved = turn.real.mechanism, turn.evaluations
     step = 2 * math.pi / SAMPLES
@@ -104,7 +86,7 @@ def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:
 
 
 def _ends(turn: Turn, step: float) -> Ends:
-    """Where over a turn of the wave pairs begin and end to carry, in a grid of such steps."""
+    """Places over a turn of the wave where pairs begin and end to carry, by a grid."""
     first = turn.real.mechanism.initial_crank_angle
     places = first + step * (np.arange(SAMPLES * turn.waves) + 1 / math.pi)
     carries = turn.at_waves(places)["forces"] > 0
@@ -120,30 +102,11 @@ def _ends(turn: Turn, step: float) -> Ends:
 def carried_forces(
     *, turn: Turn, carried: RealCyclogram, places: Sequence[float] = (), samples: int = 361
 ) -> tuple[FloatArray, FloatArray]:
-    """Forces over the range of a cyclogram, at crank angles that show them faithfully.
+    """Crank angles, rad, shape (M,), and forces there, N, shape (K*N, M), over a cyclogram's range.
 
-    Parameters
-    ----------
-    turn : Turn
-        The mechanism as it is made under its torque.
-    carried : RealCyclogram
-        Its cyclogram.
-    places : sequence of float, optional
-        Crank angles that are among them, rad.
-    samples : int
-        Number of evenly spaced angles; both sides of every end stand between them.
-
-    Returns
-    -------
-    crank_angle : array, M
-        rad, ascending.
-    force : array, shape (K*N, M)
-        N, satellite by satellite.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        See `core.output.real_mechanism.RealMechanism.solved`.
+    The angles are evenly spaced `samples`, the given `places`, and both sides of every end of
+    carrying, so that the curves show the ends faithfully. ImpossibleMechanism is raised as by
+    `Stage.solved`.
     """
     end, beside = carried.loaded_count[-1].end, carried.step / 2.0**HALVINGS
     ends = {place for pair in carried.pairs for phase in pair.driving for place in phase}
@@ -160,8 +123,9 @@ def _intervals(
     shown: float,
     waves: int = 1,
 ) -> tuple[tuple[float, float], ...]:
-    """Crank angles between which a pair carries, by the wave angles of a turn at which it begins
-    and ends (`falls`), cut to the range.
+    """Crank angles between which a pair carries, cut to the range.
+
+    `ends` are wave angles of one turn at which the pair begins or ends (`falls`) to carry.
     """
     if len(ends) == 0:
         return ((0.0, shown),) if always else ()
@@ -182,7 +146,7 @@ def _intervals(
 def _counts(
     pairs: tuple[DrivingPair, ...], shown: float, error: float
 ) -> tuple[CountInterval, ...]:
-    """How many pairs carry over the range; ends that cannot be told apart are one."""
+    """Number of pairs that carry over the range; ends closer than twice the error are merged."""
     changes = sorted(
         change
         for each in pairs

@@ -1,8 +1,8 @@
-"""The output mechanism as it is made: its sizes, clearance, deviations and elasticity.
+"""Output mechanism as made: sizes, clearance, deviations and elasticity.
 
 Every satellite is a rigid disc, held by its crank and turned by the ring, or by bearings and meshes
-that give. The output lags behind its ideal angle; the approach of each pair follows from that, a
-force from each approach, and the torque of all forces must be the load.
+that give. The output lags behind its ideal angle. The lag gives the approach of each pair, the
+approaches give the forces, and the torque of all forces must be the load.
 """
 
 import math
@@ -37,24 +37,25 @@ from core.output.stage import Stage
 
 @dataclass(frozen=True)
 class RealMechanism(Stage):
-    """A mechanism with its sizes, clearance, deviations and elasticity."""
+    """Output mechanism with its sizes, clearance, deviations and elasticity."""
 
     mechanism: Mechanism
     pin_circle_radius: float  # R, m, > 0
     pin_radius: float  # r_p, m, > 0
     eccentricity: float  # e, m, > 0
     contact_length: float  # b, m, > 0
-    law: ContactLaw  # of contact of each pair
-    pin_material: ElasticMaterial  # of the pins, or of what is on them
-    hole_material: ElasticMaterial  # of the satellites
+    law: ContactLaw  # contact law of each pair
+    pin_material: ElasticMaterial  # material of the pins, or of their sleeves or rollers
+    hole_material: ElasticMaterial  # material of the satellites
     clearance: float = 0.0  # radial, c, m: hole less pin radius less e; < 0 is interference
-    pin: Pins = RIGID_PINS  # how they are held
+    pin: Pins = RIGID_PINS  # elasticity of the pins by their support
     deviations: Deviations = field(default_factory=Deviations)
-    # Exact geometry; else first order in lag and deviations, fixed lines of action.
+    # True for exact geometry; False for fixed lines of action, to the first order in lag and
+    # deviations.
     exact: bool = True
-    # What the satellites' bearings or mesh give.
+    # Elasticity of the satellites' bearings and mesh.
     support: SatelliteSupport = RIGID_SUPPORT
-    # What rollers give to either side on their pins, m: in the play, not in the curvatures.
+    # Play of rollers on their pins to either side, m; it does not change the curvatures.
     roller_play: float = 0.0
 
     def __post_init__(self) -> None:
@@ -73,7 +74,7 @@ class RealMechanism(Stage):
 
     @property
     def pins_alike(self) -> bool:
-        """Whether all pins are alike, and all holes of a satellite."""
+        """True if all pins are alike, and all holes of a satellite."""
         own = self.deviations
         pins = own.pin_radial, own.pin_tangential, own.pin_radius
         holes = own.hole_radial, own.hole_tangential, own.hole_radius
@@ -81,7 +82,7 @@ class RealMechanism(Stage):
 
     @property
     def curve(self) -> Curve:
-        """Approach over force of contacts that wrap."""
+        """Approach over force of contacts that wrap the pin."""
         return law_curve(
             law=self.law,
             contact_length=self.contact_length,
@@ -91,7 +92,7 @@ class RealMechanism(Stage):
 
     @property
     def table(self) -> FloatArray:
-        """Constants of contacts that wrap, as the engine takes them."""
+        """Constants of contacts that wrap the pin, in the engine's form."""
         wrap = conformal_wrap(
             contact_length=self.contact_length, pin=self.pin_material, hole=self.hole_material
         )
@@ -99,7 +100,7 @@ class RealMechanism(Stage):
 
     @property
     def law_constants(self) -> Law:
-        """Constants of the law, of which each pair's are made."""
+        """Constants of the contact law at nominal sizes."""
         return law_constants(
             law=self.law,
             contact_length=self.contact_length,
@@ -110,13 +111,14 @@ class RealMechanism(Stage):
 
     @property
     def _joined(self) -> bool:
-        """True where each pin is bent by several discs at once, or by a ring."""
+        """True if several discs at once or a tie ring bend each pin."""
         return self.pin.tied or (self.pin.bends and self.mechanism.satellites > 1)
 
     @property
     def compliance(self) -> list[float]:
-        """In series with the contacts at each satellite, m/N: of the wall about a pin's bore, and
-        of a pin that this satellite alone bends.
+        """Compliance in series with the contacts at each satellite, m/N.
+
+        The wall about a pin's bore adds to the bending of a pin that only this satellite loads.
         """
         bent = self.pin.bending(self.mechanism.satellites)
         wall = self.pin.wall_compliance(self.contact_length)
@@ -124,13 +126,13 @@ class RealMechanism(Stage):
 
     @property
     def springs(self) -> Springs:
-        """What gives besides the contacts."""
+        """Elasticity besides that of the contacts."""
         bending = self.pin.spring if self._joined else None
         return Springs(self.support.bearing, self.support.mesh, bending)
 
     @cached_property
     def rooms(self) -> Rooms:
-        """The geometry: pins in their holes."""
+        """Room of the pins in their holes."""
         return Rooms(
             mechanism=self.mechanism,
             pin_circle_radius=self.pin_circle_radius,
@@ -144,16 +146,14 @@ class RealMechanism(Stage):
 
     @property
     def errors(self) -> Errors[FloatArray]:
-        """Deviations as rows of one piece, whose discs are put onto the pins by the holes that lie
-        next to them.
-        """
+        """Deviations as rows of one piece, renumbered by the holes that come onto the pins."""
         own = self.mechanism
         rows = self.rooms.numbered[0].rows(own.pins, own.satellites)
         return Errors(*[np.array([each]) for each in rows])
 
     @cached_property
     def drive(self) -> Pieces:
-        """The mechanism as the engine takes it."""
+        """Mechanism in the form that the engine takes; holes no larger than pins are refused."""
         found = output_pieces(output=self, errors=self.errors)
         radius, own = found.cf[0, :, engine.RAD], found.gf[0, :, engine.ECC]
         least = np.minimum(radius, self.eccentricity + found.cf[0, :, engine.WIDER])
@@ -176,7 +176,7 @@ class RealMechanism(Stage):
 
     @property
     def differences(self) -> FloatArray:
-        """By how much each hole's radius is larger than its pin's, m, shape (K*N,)."""
+        """Hole radius less pin radius of each pair, m, shape (K*N,)."""
         return np.asarray(self.eccentricity + self.drive.cf[0, :, engine.WIDER])
 
     @property
@@ -185,33 +185,11 @@ class RealMechanism(Stage):
         return np.asarray(self.drive.cf[0, :, engine.CURVED])
 
     def contact(self, pair: int, force: float) -> HertzContact:
-        """Contact of a pair.
-
-        Parameters
-        ----------
-        pair : int
-            Its index, satellite by satellite.
-        force : float
-            Its force, N.
-
-        Returns
-        -------
-        HertzContact
-        """
+        """Contact of the pair with this index, satellite by satellite, under a force, N."""
         return self._contact(force, float(self.pin_radii[pair]), float(self.differences[pair]))
 
     def contacts(self, force: Sequence[float]) -> HertzContact:
-        """The same of all pairs, as arrays.
-
-        Parameters
-        ----------
-        force : sequence of float, K*N
-            Force of each pair, N.
-
-        Returns
-        -------
-        HertzContact
-        """
+        """Contacts of all pairs under K*N forces, N, as arrays."""
         return self._contact(np.array(force), self.pin_radii, self.differences)
 
     def _contact(self, force: Number, radius: Number, apart: Number) -> HertzContact:
@@ -227,33 +205,15 @@ class RealMechanism(Stage):
     def pressures(
         self, force: tuple[tuple[float, ...], ...]
     ) -> tuple[tuple[float, ...], ...] | None:
-        """Largest pressure of each pair, where that of each is known.
-
-        Parameters
-        ----------
-        force : tuple of tuple of float, K x N
-            Force of each pair, N.
-
-        Returns
-        -------
-        tuple of tuple of float, K x N, or None
-            Pressures, Pa.
-        """
+        """Largest pressure of each pair, Pa, K x N, or None if any of them is not known."""
         pressures = self.contacts([each for row in force for each in row]).governing
         return None if np.isnan(pressures).any() else self.rows(pressures.tolist())
 
     def hardest_pair(self, force: Sequence[float]) -> int:
-        """Index of the pair with the largest pressure. Of narrow contacts it grows with the force
-        times the difference of the curvatures; a pressure that is not known is the largest.
+        """Index of the pair with the largest pressure; a pressure that is not known counts as the
+        largest.
 
-        Parameters
-        ----------
-        force : sequence of float, K*N
-            Force of each pair, N.
-
-        Returns
-        -------
-        int
+        The pressure of narrow contacts grows with the force times the difference of the curvatures.
         """
         contacts = self.contacts(force)
         if _wrap(contacts):
@@ -263,35 +223,15 @@ class RealMechanism(Stage):
         return int((np.array(force) * self.curved).argmax())
 
     def wraps(self, force: Sequence[float]) -> bool:
-        """Whether any pair wraps, so that its pressure is not Hertz's.
-
-        Parameters
-        ----------
-        force : sequence of float, K*N
-            Force of each pair, N.
-
-        Returns
-        -------
-        bool
-        """
+        """True if any pair wraps its pin, so that its pressure is not Hertz's."""
         return _wrap(self.contacts(force))
 
     def hardest(self, force: Sequence[float]) -> HertzContact:
-        """Contact of the pair with the largest pressure.
-
-        Parameters
-        ----------
-        force : sequence of float, K*N
-            Force of each pair, N.
-
-        Returns
-        -------
-        HertzContact
-        """
+        """Contact of the pair with the largest pressure."""
         pair = self.hardest_pair(force)
         return self.contact(pair, force[pair])
 
 
 def _wrap(contacts: HertzContact) -> bool:
-    """Whether the pressure of any of some contacts is not Hertz's."""
+    """True if the pressure of any contact is not Hertz's."""
     return bool((contacts.governing != contacts.max_pressure).any())

@@ -1,7 +1,8 @@
-"""Forces on pins, satellites and crank of the mechanism as it is made, over the turn.
+"""Forces on pins, discs and crank of the mechanism as made, over the turn.
 
-In exact geometry a contact's force acts along the line of centres of its pin and its hole, which
-deviations and lag turn out of the crank's direction; in first order it keeps that direction.
+In exact geometry the force of a contact acts along the line of centres of pin and hole, which
+deviations and lag turn out of the crank's direction. In the first order the force keeps the crank's
+direction.
 """
 
 import math
@@ -18,10 +19,10 @@ from core.output.turn import Rows, Turn, joined
 from core.precision import JUDGED
 
 FELT = 4.0
-"""How many times its own error a sample has to lie off that line, to be more than noise."""
+"""Distance of a sample from the straight line, over its error, that is more than noise."""
 
 HALVINGS = 16
-"""How often the samples beside a kink are halved."""
+"""Number of halvings of the steps beside a kink."""
 
 
 class CloseSamples(NamedTuple):
@@ -29,30 +30,16 @@ class CloseSamples(NamedTuple):
 
     wave: FloatArray  # wave angles, rad, ascending, shape (n,)
     force: FloatArray  # N, shape (K*N, n)
-    lag: FloatArray  # of the output behind its ideal angle, rad, negative in reverse, shape (n,)
-    error: float  # as `core.output.sampled_turn.PinForces.error`
-    evaluations: int  # positions that were solved
+    lag: FloatArray  # angular deflection of the output, rad, < 0 in reverse, shape (n,)
+    error: float  # relative error, as in `core.output.sampled_turn.PinForces`
+    evaluations: int  # number of solved positions
 
 
 def sampled(turn: Turn) -> SampledTurn:
-    """Forces under one torque, sampled as closely as they need.
+    """Forces on pins and discs under one torque over the turn, sampled as closely as they need.
 
-    Parameters
-    ----------
-    turn : Turn
-        The mechanism under the torque.
+    ImpossibleMechanism is raised as by `Stage.solved`.
 
-    Returns
-    -------
-    SampledTurn
-
-    Raises
-    ------
-    ImpossibleMechanism
-        See `RealMechanism.solved`.
-
-    Examples
-    --------
     >>> from core.output.elasticity import LinearLaw
     >>> from core.output.mechanism import Mechanism
     >>> from core.materials import ElasticMaterial
@@ -71,34 +58,12 @@ def sampled(turn: Turn) -> SampledTurn:
 
 
 def close_samples(turn: Turn) -> CloseSamples:
-    """Forces under one torque, sampled as closely as they need.
-
-    Parameters
-    ----------
-    turn : Turn
-        A mechanism under the torque.
-
-    Returns
-    -------
-    CloseSamples
-    """
+    """Forces of all pairs under one torque over the whole turn, sampled as closely as they need."""
     return over_all(turn=turn, rows=refined(turn=turn))
 
 
 def over_all(*, turn: Turn, rows: Rows) -> CloseSamples:
-    """Samples of a period as those of all of them.
-
-    Parameters
-    ----------
-    turn : Turn
-        A mechanism under a torque.
-    rows : dict of array
-        Positions of a period.
-
-    Returns
-    -------
-    CloseSamples
-    """
+    """Samples of all periods of the turn, from the solved positions of one period."""
     force = rows["forces"]
     error = float((off(turn=turn, rows=rows).max() + rows["error"].max()) / force.max())
     periods = np.arange(turn.repeats)
@@ -108,46 +73,30 @@ def over_all(*, turn: Turn, rows: Rows) -> CloseSamples:
 
 
 def over_periods(*, turn: Turn, force: FloatArray) -> FloatArray:
-    """Forces of the samples of a period over all of them, [n*repeats, K*N].
-
-    Parameters
-    ----------
-    turn : Turn
-        The mechanism under the torque.
-    force : array, shape (n, K*N)
-        Of the samples.
-
-    Returns
-    -------
-    array
-    """
+    """Forces of all periods, N, shape (n*repeats, K*N), from one period of shape (n, K*N)."""
     each = force.reshape(len(force), -1, turn.real.mechanism.pins)
     moved = [np.roll(each, -k * turn.step, axis=2) for k in range(turn.repeats)]
     return np.concatenate(moved).reshape(-1, force.shape[1])
 
 
 def _nothing(rows: Rows) -> FloatArray:
-    """Nothing besides the forces."""
+    """Zeros, for forces alone."""
     return np.zeros(len(rows["wave"]))
 
 
 def refined(
     *, turn: Turn, near: float = JUDGED, besides: Callable[[Rows], FloatArray] = _nothing
 ) -> Rows:
-    """Positions of a period, as closely as the forces need.
+    """Positions of a period, as close as the forces need.
 
     Parameters
     ----------
     turn : Turn
         The mechanism under the torque.
     near : float
-        How far they may lie off the straight lines between samples, as a part of the largest.
+        Largest distance of forces from the straight lines between samples, over the largest force.
     besides : callable
-        What else may lie off no farther, as such parts: of positions, shape (n,).
-
-    Returns
-    -------
-    dict of array
+        Relative distances of further quantities of the positions, shape (n,), with the same limit.
     """
     rows = turn.fine
     for _ in range(HALVINGS):
@@ -163,22 +112,9 @@ def refined(
 
 
 def off(*, turn: Turn, rows: Rows) -> FloatArray:
-    """How far the largest of the forces' samples lies off the line between its neighbours.
-
-    Parameters
-    ----------
-    turn : Turn
-        The mechanism under the torque.
-    rows : dict of array
-        Positions.
-
-    Returns
-    -------
-    array, shape (n,)
-        N.
-    """
+    """Distance of each position's forces from the line between their neighbours, N, shape (n,)."""
     wave, force, pins = rows["wave"], rows["forces"], turn.real.mechanism.pins
-    before, after = (  # what a pin felt a period before, another one feels
+    before, after = (  # A pin's force passes to another pin after a period.
         np.roll(row.reshape(-1, pins), way * turn.step, axis=1).reshape(1, -1)
         for row, way in ((force[-1], 1), (force[0], -1))
     )
@@ -189,20 +125,9 @@ def off(*, turn: Turn, rows: Rows) -> FloatArray:
 
 
 def directed(*, turn: Turn, rows: Rows, samples: CloseSamples) -> SampledTurn:
-    """Forces with their directions, over a turn of the wave.
+    """Forces with their directions on pins and discs, over a turn of the wave.
 
-    Parameters
-    ----------
-    turn : Turn
-        The mechanism under the torque.
-    rows : dict of array
-        Positions of a period.
-    samples : CloseSamples
-        Forces of all periods, over angles of the wave.
-
-    Returns
-    -------
-    SampledTurn
+    `rows` are the positions of one period, `samples` the sizes of the forces of all periods.
     """
     wave, force, lag, error, evaluations = samples
     real = getattr(turn.real, "output", turn.real)
@@ -237,7 +162,7 @@ def directed(*, turn: Turn, rows: Rows, samples: CloseSamples) -> SampledTurn:
 
 
 def _eccentricities(real: RealMechanism) -> FloatArray:
-    """Of the cranks with their deviations, shape (K, 1, 1)."""
+    """Eccentricities of the cranks with their deviations, m, shape (K, 1, 1)."""
     errors = real.deviations.rows(real.mechanism.pins, real.mechanism.satellites)
     return (real.eccentricity + np.array(errors.eccentricity))[:, None, None]
 
@@ -249,7 +174,7 @@ def _centres(
     lag: FloatArray,
     own: FloatArray,
 ) -> tuple[ComplexArray, ComplexArray]:
-    """Centres of holes and pins, shape (K, N, n), in the frame of the output without a lag."""
+    """Centres of holes and pins, m, shape (K, N, n), in the frame of the output without a lag."""
     pins, satellites = real.mechanism.pins, real.mechanism.satellites
     errors = real.deviations.rows(pins, satellites)
     radius = real.pin_circle_radius

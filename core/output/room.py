@@ -1,10 +1,10 @@
-"""Parts as they are made: what they deviate, and the room that pins have in their holes, by
-geometry alone: whether parts go together and turn.
+"""Deviations of parts, and the room of pins in their holes, which says if parts go together.
 
-A pin at P and its hole's centre at H, with C the difference of their radii: at a lag of the output
-their centres lie ``|P*exp(-i*lag) - H|`` apart, which must not exceed C. All of the room holds for
-clearances and misfits of any size, and asks for no force. A disc that has play in a ring turns
-within it about its own centre, to where the pins have most room.
+The lag is the angle by which the output link is behind its ideal angle. At a lag, the centre P of a
+pin and the centre H of its hole are ``|P*exp(-i*lag) - H|`` apart, which must not exceed the
+difference C of their radii. The room of a pair is C less this distance. Room needs no forces and
+holds for clearances and misfits of any size. A disc with play in a ring turns within the ring about
+its own centre to where its pins have most room.
 """
 
 import math
@@ -29,48 +29,48 @@ State = Literal["fits", "binds_in_turning", "does_not_fit", "no_bound"]
 Side = Literal["driving", "reverse", "radial"]
 
 POSITIONS = 720
-"""Even positions of the turn: between two of them the room changes by at most the eccentricity
-times half their step."""
+"""Even positions of the turn; the room falls between two by at most the eccentricity*step/2."""
 
 OF_A_TURN = 48
-"""Even positions of a turn at least, where many turns make the room repeat."""
+"""Least number of even positions of a turn if the room repeats only after many turns."""
 
 RETURNS = 8
-"""How often at most a disc is turned anew in its ring, as its holes are where it has turned: each
-time by less, as the eccentricity is less than the pin circle's radius."""
+"""Largest number of corrections of a disc's rotation in its ring; each correction is smaller, as
+the eccentricity is less than the pin circle's radius.
+"""
 
 ELSEWHERE = 1e-9
-"""Room that a disc would win at most by turning in its ring without need, m: as much as deviations
-of some micrometres make on the angle of its play.
+"""Largest room, m, that a disc could win by a rotation in its ring that its pins do not need: the
+effect of deviations of some micrometres over the angle of the disc's play.
 """
 
 FINEST = 2**14
-"""Positions at most that the sign of the room is looked at."""
+"""Largest number of positions of a turn at which the sign of the room is examined."""
 
 STEPS = 60
-"""Steps at most to the lag of a room."""
+"""Largest number of steps to the lag with most room."""
 
 HALVINGS = 48
-"""Halvings of a stretch of lags, to their rounding."""
+"""Number of halvings of a stretch of lags, down to rounding."""
 
 NEAR = 1e-7
-"""Wave angle within which a place is that of the turn's start, rad."""
+"""Wave angle, rad, within which a place counts as the start of the turn."""
 
 RADIAL = 1e-5
-"""Lever over the pin circle's radius below which a pair binds outward or inward, not in turning."""
+"""Lever over pin circle radius below which a pair binds radially and not in turning."""
 
 CLUSTER = 12
-"""How often the distance to a dead angle of a pair is halved, where the play has spikes."""
+"""Number of halvings of the distance to a pair's dead angle, where the play has spikes."""
 
 NO_PLAY = -1e3
-"""Less play than any, rad: where a pin is in its hole at no lag."""
+"""Play, rad, below any real one, for positions where a pin fits its hole at no lag."""
 
 TINY = 1e-300
-"""What is divided by in the place of 0."""
+"""Divisor in the place of 0."""
 
 
 class Errors(NamedTuple, Generic[R]):
-    """Deviations of one piece, rows of [N], [K*N] or [K]; of many, a table of each."""
+    """Deviations of one piece as rows of [N], [K*N] or [K]; of many pieces as tables."""
 
     pin_radial: R  # place of each pin, m
     pin_tangential: R  # m
@@ -85,15 +85,16 @@ class Errors(NamedTuple, Generic[R]):
 
 @dataclass(frozen=True, slots=True)
 class Deviations:
-    """What a piece deviates from its nominal sizes; empty tuples are zeros.
+    """Deviations of a piece from its nominal sizes; empty tuples are zeros.
 
-    Positive: outward, in the driving sense, larger, ahead. N pins, K satellites.
+    Positive values are outward, in the driving sense, larger, or ahead. N is the number of pins, K
+    that of satellites.
     """
 
     pin_radial: tuple[float, ...] = ()  # place of each pin, m, N values
     pin_tangential: tuple[float, ...] = ()  # m, N
     pin_radius: tuple[float, ...] = ()  # m, N
-    hole_radial: tuple[tuple[float, ...], ...] = ()  # the same of each hole, m, K x N
+    hole_radial: tuple[tuple[float, ...], ...] = ()  # place of each hole, m, K x N
     hole_tangential: tuple[tuple[float, ...], ...] = ()  # m, K x N
     hole_radius: tuple[tuple[float, ...], ...] = ()  # m, K x N
     eccentricity: tuple[float, ...] = ()  # of each crank, m, K
@@ -105,31 +106,16 @@ class Deviations:
 
     @property
     def of_output(self) -> "Deviations":
-        """The same without a ring."""
+        """Deviations without those of a ring."""
         return replace(self, ring_pin_radial=(), ring_pin_tangential=(), ring_pin_radius=())
 
     @property
     def of_ring(self) -> bool:
-        """Whether any is of the pins of a ring."""
+        """True if a pin of a ring deviates."""
         return self != self.of_output
 
     def rows(self, pins: int, satellites: int) -> Errors[Row]:
-        """Flat rows of one piece.
-
-        Parameters
-        ----------
-        pins, satellites : int
-            Numbers N and K.
-
-        Returns
-        -------
-        Errors
-
-        Raises
-        ------
-        InvalidInput
-            If a list has another length, or an entry is not finite.
-        """
+        """Flat rows for N pins and K satellites; another length or infinite values are refused."""
 
         def row(name: str, values: Sequence[float], expected: int) -> list[float]:
             if not values:
@@ -159,22 +145,10 @@ class Deviations:
         )
 
     def at_next_holes(self, mechanism: Mechanism) -> "tuple[Deviations, tuple[int, ...]]":
-        """The piece with each satellite put on the pins by the holes that lie next to them.
+        """Deviations with each satellite on the pins next to its holes, and the K shifts.
 
-        A satellite that is turned against the first one by more than half the pitch of its holes
-        goes onto the pins by other holes.
-
-        Parameters
-        ----------
-        mechanism : Mechanism
-            Pins, satellites, ratio.
-
-        Returns
-        -------
-        deviations : Deviations
-            With the holes renumbered.
-        holes : tuple of int, K
-            By how many holes each satellite is put on further.
+        A satellite that is turned against the first one by more than half a pitch of its holes goes
+        onto the pins by other holes. The holes are renumbered, and the shifts are numbers of holes.
         """
         pins, pitch = mechanism.pins, 2 * math.pi / mechanism.pins
         zeros = (0.0,) * mechanism.satellites
@@ -204,25 +178,26 @@ class Deviations:
 
 @dataclass(frozen=True, slots=True)
 class Binding:
-    """A pair that limits the room."""
+    """Pair that limits the room."""
 
     satellite: int  # from 1
     pin: int  # from 1
-    side: Side  # in which sense of the output it holds; radial where in none
+    side: Side  # sense in which the pair holds the output, or radial
 
 
 @dataclass(frozen=True, slots=True)
 class DiscRoom:
-    """One satellite by itself."""
+    """Room of one satellite by itself."""
 
     satellite: int  # from 1
-    least_room: float  # over the turn, m
-    turned: float  # its holes ahead of the pins, rad, in the mean of least squares
+    least_room: float  # least room over the turn, m
+    turned: float  # holes ahead of the pins, rad, by least squares
 
 
 class Play(NamedTuple):
-    """Play of the unloaded output over the turn; negative where the parts do not fit, infinitely
-    where a pin is in its hole at no lag.
+    """Play of the unloaded output over the turn, rad; negative if parts do not fit.
+
+    Minus infinity stands for a pin that fits its hole at no lag.
     """
 
     least: float  # rad
@@ -231,34 +206,33 @@ class Play(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class TurnRoom:
-    """The room over the turn."""
+    """Room over the turn."""
 
-    # Whether there is room at all crank angles, at some, or at none; without a bound where no hole
-    # holds its pin.
+    # Room at all crank angles, at some, or at none; "no_bound" if no hole holds its pin.
     state: State
-    # Least room, m: by how much all pins might grow, or below 0 must shrink, until they just fit.
+    # Least room, m: growth of all pins until they just fit, or if negative their shrinkage.
     least: float
-    error: float  # estimate of its error, m
-    crank_angle: float | None  # where it is least, rad; None where it is the same at all
-    binding: tuple[Binding, ...]  # the pairs that limit it there; none where all do alike
+    error: float  # estimated error of the least room, m
+    crank_angle: float | None  # place of the least room, rad; None if alike everywhere
+    binding: tuple[Binding, ...]  # pairs that limit the room; none if all alike
 
     @property
     def where(self) -> dict[str, float]:
-        """That crank angle by its name; nothing where it is the same at all."""
+        """Crank angle of the least room by its name; empty if the room is alike at all angles."""
         return {} if self.crank_angle is None else {"crank_angle": self.crank_angle}
 
 
 class _Extreme(NamedTuple):
-    """A largest or least value over the turn."""
+    """Largest or least value over the turn."""
 
     place: float  # wave angle, rad
     height: float  # in the unit of what is sampled
-    error: float  # in that unit
+    error: float  # in the unit of the height
 
 
 class _Pairs(NamedTuple):
-    """Pins and the centres of their holes, of each position and pair: distances p and h from the
-    centre of the output, m, the lag at which the pin is nearest, rad, and C, m.
+    """Pins and hole centres of each position and pair: distances p and h from the output's centre,
+    m, the lag at which the pin is nearest, rad, and the difference C of the radii, m.
     """
 
     p: FloatArray
@@ -267,7 +241,7 @@ class _Pairs(NamedTuple):
     gap: FloatArray
 
     def left(self, lag: FloatArray) -> FloatArray:
-        """What is left to each pair at a lag, m."""
+        """Room of each pair at a lag, m."""
         sine = np.sin((lag - self.nearest) / 2)
         apart = np.sqrt((self.p - self.h) ** 2 + 4 * self.p * self.h * sine * sine)
         return np.asarray(self.gap - apart)
@@ -279,20 +253,20 @@ class _Pairs(NamedTuple):
 
 
 Turned = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
-"""From where to where each disc can turn in its ring, rad, shape (M, K), of crank angles, rad."""
+"""Least and largest rotation of discs in their ring, rad, shape (M, K), by crank angles, rad."""
 
 
 class _Free(NamedTuple):
-    """Where discs that turn in their ring have most room, of each position."""
+    """Positions of discs that turn in their ring to where they have most room."""
 
     room: FloatArray  # m, [M]
-    lag: FloatArray  # of the output, rad, [M]
-    turned: FloatArray  # of each disc in the ring, rad, [M, K]
+    lag: FloatArray  # lag of the output, rad, [M]
+    turned: FloatArray  # rotation of each disc in the ring, rad, [M, K]
 
 
 class _Placed(NamedTuple):
-    """The parts at rest: pins, holes without their crank, differences of radii, eccentricities and
-    crank angles of the satellites.
+    """Parts at rest as complex numbers: pins, holes without their crank, differences of radii,
+    eccentricities and crank angles of the satellites.
     """
 
     pin: ComplexArray  # [N]
@@ -305,7 +279,7 @@ class _Placed(NamedTuple):
 def _best_of_two(
     low: FloatArray, high: FloatArray, one: _Pairs, other: _Pairs
 ) -> tuple[FloatArray, FloatArray]:
-    """Lag between two at which the worse of two pairs has most left, and how much that is."""
+    """Lag between two at which the worse one of two pairs has most room, and that room, m."""
     for _ in range(HALVINGS):
         lag = (low + high) / 2
         ahead = lag > np.where(one.left(lag) < other.left(lag), one.nearest, other.nearest)
@@ -316,12 +290,10 @@ def _best_of_two(
 
 @dataclass(frozen=True)
 class Rooms:
-    """Pins in their holes, over the turn.
+    """Pins in their holes over the turn.
 
-    Examples
-    --------
-    Two equal discs of 20 lobes with four holes, put on their cranks half a turn apart: the holes of
-    one are 9 degrees off, and nothing goes together though either disc alone has 0.5 mm of room.
+    Two equal discs of 20 lobes with four holes have 0.5 mm of room each; on cranks half a turn
+    apart their holes are 9 degrees off and nothing goes together.
 
     >>> rooms = Rooms(
     ...     mechanism=Mechanism.evenly_spaced(pins=4, satellites=2, ratio=20.0),
@@ -337,18 +309,16 @@ class Rooms:
     pin_radius: float  # r_p, m, > 0
     eccentricity: float  # e, m, > 0
     clearance: float  # radial, c, m; negative is interference
-    deviations: Deviations = field(default_factory=Deviations)  # of the piece
-    # What rollers give to either side on their pins, m: as more clearance.
+    deviations: Deviations = field(default_factory=Deviations)  # deviations of the piece
+    # Play of rollers on their pins to either side, m; it adds to the clearance.
     roller_play: float = 0.0
-    apart: bool = False  # whether each satellite turns for itself
-    ring: Turned | None = None  # how far each turns in a ring; None where it holds them
-    turns: int = 1  # turns of the wave after which the ring's play repeats with it
+    apart: bool = False  # True if each satellite turns for itself
+    ring: Turned | None = None  # play of the discs in a ring; None if there is none
+    turns: int = 1  # turns of the wave after which the ring's play repeats
 
     @cached_property
     def numbered(self) -> tuple[Deviations, tuple[int, ...]]:
-        """The deviations with the holes numbered as they come onto the pins, and by how many holes
-        each satellite is put on further.
-        """
+        """Deviations by the holes that come onto the pins, and each satellite's shift in holes."""
         self.deviations.rows(self.mechanism.pins, self.mechanism.satellites)
         return self.deviations.at_next_holes(self.mechanism)
 
@@ -374,7 +344,7 @@ class Rooms:
 
     @property
     def even(self) -> bool:
-        """Whether the room is the clearance at all angles: no deviations, and more than one pin."""
+        """True if the room is the clearance at all angles: several pins without deviations."""
         made = self.deviations != Deviations() or self.ring
         return not made and self.mechanism.pins > 1
 
@@ -391,22 +361,11 @@ class Rooms:
         return _Pairs(p, h, nearest, np.broadcast_to(gap[chosen].ravel(), h.shape))
 
     def arcs(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
-        """Least and largest lag at which each pin is in its hole.
+        """Least and largest lag, rad, at which each pin is in its hole, shape (M, pairs).
 
-        ``theta_c -+ 2*asin(sqrt((C - (p - h))*(C + (p - h))/(4*p*h)))``.
-
-        Parameters
-        ----------
-        wave : array, shape (M,)
-            Wave angles psi, rad.
-        disc : int, optional
-            Of this satellite alone, from 0.
-
-        Returns
-        -------
-        low, high : array, shape (M, pairs)
-            Lags, rad, satellite by satellite; of a pair that has none infinite, low above high, and
-            of one whose hole is no bound infinite, low below high.
+        The lags are ``theta_c -+ 2*asin(sqrt((C - (p - h))*(C + (p - h))/(4*p*h)))`` at the M wave
+        angles, of all satellites or of one, counted from 0. A pair without such a lag has infinite
+        lags with low above high; a hole that is no bound has infinite lags with low below high.
         """
         p, h, nearest, gap = self._pairs(wave, disc)
         off = p - h
@@ -417,50 +376,25 @@ class Rooms:
         return nearest - half, nearest + half
 
     def windows(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
-        """Least and largest lag at which all pins are in their holes: of all `arcs` the largest
-        least and the least largest.
-
-        Parameters
-        ----------
-        wave : array, shape (M,)
-            Wave angles psi, rad.
-        disc : int, optional
-            Of this satellite alone, from 0.
-
-        Returns
-        -------
-        low, high : array, shape (M,)
-            Lags, rad: low above high where there is none; infinite where a pair has none, or no
-            bound.
+        """Least and largest lag, rad, at which all pins are in their holes, shape (M,): the largest
+        lower end and the least upper end of all `arcs`. Low is above high if there is none.
         """
         if not self.ring or disc is not None:
             low, high = self.arcs(wave, disc)
             return low.max(axis=1), high.min(axis=1)
         found = []
-        for end, turned in enumerate(self.ring(self._crank(wave))):  # as far back, as far ahead
+        for end, turned in enumerate(self.ring(self._crank(wave))):  # end 0 is back, end 1 is ahead
             own = [self.windows(wave - each, j)[end] for j, each in enumerate(turned.T)]
             found.append(np.stack(own, axis=1) + turned)
         return found[0].max(axis=1), found[1].min(axis=1)
 
     def rooms(self, wave: FloatArray, disc: int | None = None) -> tuple[FloatArray, FloatArray]:
-        """Room at wave angles: the largest over the lag of the least ``C - |P*exp(-i*lag) - H|``.
+        """Room at M wave angles, m, and the lag where it is found, rad: the largest over the lag of
+        the least ``C - |P*exp(-i*lag) - H|``, of all satellites or of one, counted from 0.
 
-        Each distance falls up to its pair's own lag and rises after it: what is left to the worst
-        pair is largest where one of a rising and one of a falling pair are alike.
-
-        Parameters
-        ----------
-        wave : array, shape (M,)
-            Wave angles psi, rad.
-        disc : int, optional
-            Of this satellite alone, from 0.
-
-        Returns
-        -------
-        room : array, shape (M,)
-            m; negative where the pins have to shrink by as much.
-        lag : array, shape (M,)
-            Where, rad.
+        The room is negative if the pins have to shrink by that much. Each distance falls up to its
+        pair's own lag and rises after it, so that the room of the worst pair is largest where a
+        rising and a falling pair have equal room.
         """
         if self.ring and disc is None:
             return self._free(wave)[:2]
@@ -468,7 +402,7 @@ class Rooms:
         low, high = pairs.nearest.min(axis=1), pairs.nearest.max(axis=1)
         rising, falling = (pairs.left(lag[:, None]).argmin(axis=1) for lag in (low, high))
         for _ in range(STEPS):
-            # of the worst pairs of both ends alone
+            # room with the worst pairs of both ends alone
             lag, two = _best_of_two(low, high, pairs.chosen(rising), pairs.chosen(falling))
             heights = pairs.left(lag[:, None])
             worst = heights.argmin(axis=1)
@@ -481,9 +415,10 @@ class Rooms:
         return room, lag
 
     def _free(self, wave: FloatArray) -> _Free:
-        """Most room of discs that turn in their ring. One that has turned has its holes where they
-        are at a wave angle that is so much less, seen from it: what the room changes by that alone
-        is no reason to turn (`ELSEWHERE`).
+        """Most room of discs that turn in their ring.
+
+        The holes of a turned disc are where they would be at a wave angle less by the rotation. A
+        change of the room by that alone is no reason to turn (`ELSEWHERE`).
         """
         assert self.ring
         low, high = self.ring(self._crank(wave))
@@ -491,8 +426,8 @@ class Rooms:
         best = np.stack([self.rooms(wave, j)[1] for j in discs], axis=1)
         for _ in range(RETURNS):
             pairs = [self._pairs(wave - turned[:, j], j) for j in discs]
-            # Between the greatest of the least lags and the least of the greatest each disc has all
-            # of its room; where these cross, the worse of two has most.
+            # Between the largest least lag and the least largest lag each disc has all of its room.
+            # If the two cross, the lag with most room for the worse disc is searched.
             ends = (best + low).max(axis=1), (best + high).min(axis=1)
             first, last = np.minimum(*ends), np.maximum(*ends)
             crossed, lag = ends[0] > ends[1], (first + last) / 2
@@ -516,7 +451,7 @@ class Rooms:
 
     @property
     def closed(self) -> bool:
-        """Whether a hole is no larger than its pin."""
+        """True if a hole is no larger than its pin."""
         return bool((self._placed.gap <= 0).any())
 
     def _start(self) -> float:
@@ -524,7 +459,7 @@ class Rooms:
 
     @cached_property
     def _heights(self) -> Callable[[int | None], FloatArray]:
-        """Room at the places of the grid, m, of all satellites or of one, each once."""
+        """Room at the places of the grid, m, of all satellites or of one, calculated once."""
         return cache(lambda disc: self.rooms(self._grid(), disc)[0])
 
     @property
@@ -550,9 +485,7 @@ class Rooms:
         width: FloatArray | float,
         sign: int,
     ) -> _Extreme:
-        """First place and height of the largest value (sign 1) or the least near some places: the
-        best of some points, then of as many closer ones.
-        """
+        """First place and height of the largest (sign 1) or least value (-1) near some places."""
         places, height, errors = zoom(
             values=lambda wave: sign * values(wave), places=places, width=width
         )
@@ -563,7 +496,7 @@ class Rooms:
 
     def _extreme(self, grid: FloatArray, heights: FloatArray, sign: int, disc: int | None
                  ) -> _Extreme:  # fmt: skip
-        """Place and height of the greatest room over the turn (sign 1), or of the least."""
+        """Place and height of the greatest room over the turn (sign 1), or of the least (-1)."""
         signed, step = sign * heights, self._step
         best = signed.max()
         tops = (signed >= np.roll(signed, 1)) & (signed >= np.roll(signed, -1))
@@ -572,23 +505,11 @@ class Rooms:
 
     @property
     def _steepest(self) -> float:
-        """How fast the room may change with the wave angle, m/rad: a hole moves on a circle of the
-        eccentricity.
-        """
+        """Bound of the room's slope over the wave angle, m/rad: the largest eccentricity."""
         return float(np.abs(self._placed.eccentricity).max())
 
     def over_turn(self, disc: int | None = None) -> TurnRoom:
-        """The room over the turn, and where it is least.
-
-        Parameters
-        ----------
-        disc : int, optional
-            Of this satellite alone, from 0.
-
-        Returns
-        -------
-        TurnRoom
-        """
+        """Room over the turn of all satellites, or of one, counted from 0."""
         pin, hole, gap, eccentricity, _ = self._placed
         if (gap >= np.abs(pin) + np.abs(hole) + eccentricity[:, None]).all():
             return TurnRoom("no_bound", math.inf, 0.0, None, ())
@@ -599,7 +520,7 @@ class Rooms:
         if not flat:
             place, least, error = self._extreme(grid, heights, -1, disc)
         below = self._below(grid, heights, disc) if least >= 0 else None
-        if below is not None:  # between positions, where no least one was seen
+        if below is not None:  # room falls below 0 between positions
             place, least, error = self._narrowed(
                 lambda wave: self.rooms(wave, disc)[0], np.array([below]), 1e-3, -1
             )
@@ -611,9 +532,7 @@ class Rooms:
 
     @cached_property
     def room(self) -> TurnRoom:
-        """The room over the turn; of satellites that turn for themselves that of the one with the
-        least.
-        """
+        """Room over the turn; the least one of satellites that turn for themselves."""
         if not self.apart:
             return self.over_turn()
         turns = [self.over_turn(j) for j in range(self.mechanism.satellites)]
@@ -621,27 +540,19 @@ class Rooms:
 
     @property
     def hole_radius(self) -> float:
-        """Radius of all holes, m."""
+        """Nominal radius of the holes, m."""
         return self.pin_radius + self.eccentricity + self.clearance
 
     @property
     def largest_hole_radius(self) -> float:
-        """Radius of holes below which they hold their pins, m: from it on a pin can pass into the
-        next one, or around the centre of the satellite.
-        """
+        """Hole radius, m, at which a pin can enter the next hole or pass the disc's centre."""
         if self.mechanism.pins == 1:
             return self.pin_circle_radius
         apart = self.pin_circle_radius * math.sin(math.pi / self.mechanism.pins)
         return min(self.pin_circle_radius, math.hypot(self.pin_radius, apart))
 
     def refuse_without_bound(self) -> None:
-        """Refuse holes that do not hold their pins.
-
-        Raises
-        ------
-        ImpossibleMechanism
-            If they do not.
-        """
+        """Raise ImpossibleMechanism if a hole does not hold its pin."""
         if self.state == "no_bound":
             larger = max(chain(*self.deviations.hole_radius), default=0.0)
             raise ImpossibleMechanism(
@@ -653,16 +564,12 @@ class Rooms:
 
     @property
     def state(self) -> State:
-        """Whether there is room at all crank angles, at some, or at none; without a bound where the
-        holes do not hold their pins.
-        """
+        """Room at all crank angles, at some, at none, or no bound, as holes do not hold pins."""
         return "no_bound" if self.hole_radius >= self.largest_hole_radius else self.room.state
 
     @property
     def needed_hole_radius(self) -> float:
-        """Radius of all holes with which it would fit, m: exact, as one hole is as much larger as
-        the room is short.
-        """
+        """Radius of all holes, m, that would just fit: exact, as room grows with the radius."""
         return self.hole_radius - self.room.least
 
     def _turn_room(
@@ -680,21 +587,11 @@ class Rooms:
         return TurnRoom(state, least, error, angle, binding)
 
     def _flat(self, heights: FloatArray) -> bool:
-        """Whether the room is the same at all positions."""
+        """True if the room is alike at all positions."""
         return float(np.ptp(heights)) <= AS_TYPED * self.eccentricity
 
     def greatest(self, disc: int | None = None) -> float:
-        """Greatest room over the turn, m.
-
-        Parameters
-        ----------
-        disc : int, optional
-            Of this satellite alone, from 0.
-
-        Returns
-        -------
-        float
-        """
+        """Greatest room over the turn, m, of all satellites or of one, counted from 0."""
         if self.even:
             return self._play
         grid, heights = self._grid(), self._heights(disc)
@@ -703,8 +600,9 @@ class Rooms:
         return self._extreme(grid, heights, 1, disc).height
 
     def _below(self, grid: FloatArray, heights: FloatArray, disc: int | None) -> float | None:
-        """A position without room between those of a grid that all have some, or None: intervals in
-        which the room may fall below 0 are halved.
+        """Position without room between the positions of a grid that all have some, or None.
+
+        Intervals in which the room may fall below 0 are halved.
         """
         low, step, rooms = grid, self._step, heights
         following = np.roll(heights, -1)
@@ -725,7 +623,7 @@ class Rooms:
         return None
 
     def _binding(self, wave: float, disc: int | None) -> tuple[Binding, ...]:
-        """The pairs that limit the room at a wave angle."""
+        """Pairs that limit the room at a wave angle."""
         where = np.array([wave])
         if self.ring and disc is None:
             (room,), (lag,), (turned,) = self._free(where)
@@ -755,12 +653,7 @@ class Rooms:
         return off / (1 + 1 / self.mechanism.ratio)
 
     def discs(self) -> tuple[DiscRoom, ...]:
-        """Each satellite by itself.
-
-        Returns
-        -------
-        tuple of DiscRoom, K
-        """
+        """Room of each satellite by itself."""
         placed = self._placed
         turned = np.angle((placed.hole * placed.pin.conj()).sum(axis=1))
         return tuple(
@@ -769,12 +662,7 @@ class Rooms:
         )
 
     def play(self) -> Play:
-        """Least and greatest play of the unloaded output over the turn.
-
-        Returns
-        -------
-        Play
-        """
+        """Least and greatest play of the unloaded output over the turn, rad."""
         pins, cranks = self.mechanism.pins, self._placed.cranks
         period = 2 * np.pi / (pins if self.even else 1)
         step = period / POSITIONS
@@ -795,7 +683,7 @@ class Rooms:
             signed = sign * heights
             up, down = signed - np.roll(signed, 1), signed - np.roll(signed, -1)
             tops = (up >= 0) & (down >= 0)
-            # between places it rises no steeper than to them
+            # The play is taken to rise between places no steeper than beside them.
             tops &= signed + np.maximum(up * after / before, down * before / after) >= signed.max()
             found = float(heights[signed.argmax()])
             if found > NO_PLAY:
@@ -806,14 +694,7 @@ class Rooms:
         return Play(ends[0], ends[1])
 
     def blocked(self) -> tuple[tuple[float, float], ...]:
-        """Stretches of the crank's turn in which there is no room.
-
-        Returns
-        -------
-        tuple of (float, float)
-            Crank angles from and to, rad, from 0 to the end of a turn of the wave; the last one may
-            go on beyond it.
-        """
+        """Crank angles, rad, between which there is no room; the last may exceed a turn."""
         grid = self._grid()
         free = self._heights(None) >= 0
         if free.all() or not free.any():

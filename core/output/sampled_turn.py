@@ -1,8 +1,8 @@
-"""Forces over a turn of the wave, at samples, and what is largest of them.
+"""Forces over a turn of the wave at samples, and their largest values.
 
-Whatever grows with forces is largest at one of the samples, or beside it where forces are known to
-be smooth: there the parabola through the largest one and its neighbours counts. Samples are dense
-where forces have kinks.
+A value that grows with forces is largest at one of the samples, which are dense where forces have
+kinks. Where forces are known to be smooth, the parabola through the largest sample and its
+neighbours counts.
 """
 
 import math
@@ -22,14 +22,14 @@ WAYS: dict[Direction, tuple[float, ...]] = {
     "reverse": (-1.0,),
     "alternating": (1.0, -1.0),
 }
-"""Signs of the torque in each direction."""
+"""Signs of the torque for each direction."""
 
 
 TINY = 1e-300
-"""Distance of samples that are the same, rad."""
+"""Distance of coincident samples, rad, against division by zero."""
 
 FEWER = 0.9
-"""Share of samples that are left where thinning them ends."""
+"""Share of samples left by a round of thinning above which thinning ends."""
 
 
 @dataclass(frozen=True, eq=False, slots=True, kw_only=True)
@@ -37,17 +37,17 @@ class PinForces:
     """Forces on pins under one torque."""
 
     wave: FloatArray  # wave angles, rad, ascending within a period, shape (n,)
-    # Force of each satellite on each pin, N, shape (K, N, n): tangential + i*radial, in the frame
-    # of what holds the pins.
+    # Force of each disc on each pin, N, shape (K, N, n): tangential + i*radial, in the frame of
+    # the part that holds the pins.
     on_pins: ComplexArray
-    # Estimate of the relative error of the forces, over the largest: how far samples lie off the
-    # straight line between their neighbours, and that of the positions. Honest, no proof.
+    # Estimated error of the forces over the largest force: the distance of samples from the
+    # straight line between their neighbours, and the error of the positions. No proof.
     error: float
-    evaluations: int  # positions that were solved
-    unlike: int  # how many pins, from the first, feel what no other of them does, sooner or later
+    evaluations: int  # number of solved positions
+    unlike: int  # number of pins, from the first, that differ in their forces
 
     def largest(self, values: FloatArray) -> FloatArray:
-        """Largest values at the samples, which are last, shape (..., n)."""
+        """Largest values over the samples, the last axis of shape (..., n)."""
         found: FloatArray = values.max(axis=-1)
         return found
 
@@ -58,18 +58,18 @@ class PinForces:
 
 @dataclass(frozen=True, eq=False, slots=True, kw_only=True)
 class SampledTurn(PinForces):
-    """Forces on pins and satellites under one torque."""
+    """Forces on pins and discs under one torque."""
 
-    # Resultant of the pins on each satellite, N, shape (K, n): along its crank towards the axis,
-    # and i times that across, back against the crank's rotation under a driving torque.
+    # Resultant of the pins on each disc, N, shape (K, n): along + i*across; along its crank
+    # towards the axis, and across it back against the crank's rotation under a driving torque.
     on_satellites: ComplexArray
     total: FloatArray  # sum of the sizes of all forces, N, shape (n,)
-    # Couple of the pins about the satellite's centre, N*m, shape (K, n); as the torque on the
-    # output link.
+    # Couple of the pins about the disc's centre, N*m, shape (K, n), in the sense of the torque on
+    # the output link.
     couple: FloatArray
-    crank_angles: tuple[float, ...]  # of each crank with its deviation, rad
-    waves: int = 1  # turns of the wave after which they repeat
-    # Force of the ring on each satellite, as `on_satellites`, N, shape (K, n), where its mesh is
+    crank_angles: tuple[float, ...]  # angle of each crank with its deviation, rad
+    waves: int = 1  # turns of the wave after which forces repeat
+    # Force of the ring on each disc, as `on_satellites`, N, shape (K, n), if the ring's mesh is
     # solved too.
     of_ring: ComplexArray | None = None
 
@@ -79,49 +79,17 @@ class SampledTurn(PinForces):
         return 2 * math.pi * self.waves
 
     def mean(self, values: FloatArray) -> FloatArray:
-        """Mean of values over the turn.
-
-        Parameters
-        ----------
-        values : array, shape (..., n)
-            At the samples.
-
-        Returns
-        -------
-        array, shape (...)
-        """
+        """Mean over the turn of values at the samples, the last axis of shape (..., n)."""
         gaps = np.diff(self.wave, append=self.wave[0] + self.period)
         found: FloatArray = values @ (gaps + np.roll(gaps, 1)) / (2 * self.period)
         return found
 
     def at(self, *, wave: FloatArray, values: NDArray[Any]) -> NDArray[Any]:
-        """Values at other wave angles, on the straight lines between the samples.
-
-        Parameters
-        ----------
-        wave : array, shape (m,)
-            Wave angles, rad.
-        values : array, shape (K, n)
-            At the samples.
-
-        Returns
-        -------
-        array, shape (K, m)
-        """
+        """Values at other wave angles, rad, by straight lines between samples, shape (K, n)."""
         return np.array([np.interp(wave, self.wave, row, period=self.period) for row in values])
 
     def missed(self, values: NDArray[Any]) -> float:
-        """Estimate of the error of values between the samples.
-
-        Parameters
-        ----------
-        values : array, shape (..., n)
-            At the samples.
-
-        Returns
-        -------
-        float
-        """
+        """Estimate of the error of values, shape (..., n), between the samples."""
         turn = self.period
         wave = np.concatenate(([self.wave[-1] - turn], self.wave, [self.wave[0] + turn]))
         around = np.concatenate((values[..., -1:], values, values[..., :1]), axis=-1)
@@ -130,11 +98,11 @@ class SampledTurn(PinForces):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class PinSamples:
-    """Forces of the satellites on one pin, N, as `SampledTurn.on_pins`."""
+    """Forces of the discs on one pin, N, as in `SampledTurn.on_pins`."""
 
-    forces: ComplexArray  # at samples, shape (K, n)
-    wave: FloatArray  # wave angles of these, rad, shape (n,)
-    smooth: BoolArray  # whether forces are smooth from the sample before to that after, shape (n,)
+    forces: ComplexArray  # forces at samples, shape (K, n)
+    wave: FloatArray  # wave angles of the samples, rad, shape (n,)
+    smooth: BoolArray  # True if forces are smooth between both neighbours, shape (n,)
 
     @classmethod
     def together(cls, parts: "Sequence[PinSamples]") -> "PinSamples":
@@ -143,13 +111,11 @@ class PinSamples:
         return cls(*(np.concatenate(each, axis=-1) for each in zip(*rows, strict=True)))
 
     def of(self, kept: BoolArray | IntArray) -> "PinSamples":
-        """Some samples."""
+        """Chosen samples."""
         return PinSamples(self.forces[:, kept], self.wave[kept], self.smooth[kept])
 
     def thinned(self, enough: float) -> "PinSamples":
-        """Without smooth samples that lie on the line between their neighbours, but for a part of
-        the largest force.
-        """
+        """Samples without smooth ones nearer their neighbours' line than this part of the force."""
         found, enough = self, enough * float(np.abs(self.forces).max())
         while True:
             off = off_straight(wave=found.wave, values=found.forces).max(axis=0)
@@ -160,7 +126,7 @@ class PinSamples:
                 return found
 
     def only(self, kept: BoolArray) -> "PinSamples":
-        """Some samples, shape (n,), and those beside them."""
+        """Chosen samples, shape (n,), and those beside them."""
         beside = kept.copy()
         beside[1:] |= kept[:-1]
         beside[:-1] |= kept[1:]
@@ -171,47 +137,22 @@ class PinSamples:
 
     @property
     def loaded(self) -> "PinSamples":
-        """Without stretches over which nothing loads the pin, but for their ends."""
+        """Samples without stretches over which nothing loads the pin, except for their ends."""
         return self.only(np.abs(self.forces).sum(axis=0) > 0)
 
     def sums(self, arms: NDArray[Any]) -> ComplexArray:
-        """Sums of the forces times what a unit of each does, shape (rows, K), at all samples."""
+        """Sums of forces times influences of shape (rows, K), at all samples, shape (rows, n)."""
         found: ComplexArray = arms @ self.forces
         return found
 
     def largest(self, values: FloatArray) -> FloatArray:
-        """Largest values over the turn.
-
-        Parameters
-        ----------
-        values : array, shape (rows, n)
-            At the samples.
-
-        Returns
-        -------
-        array, shape (rows,)
-        """
+        """Largest values over the turn, shape (rows,), of values at samples, shape (rows, n)."""
         return largest_of_samples(values=values, wave=self.wave, smooth=self.smooth)
 
 
 def largest_of_samples(*, values: FloatArray, wave: FloatArray, smooth: BoolArray) -> FloatArray:
-    """Largest values over a turn: samples, or where they are smooth parabolas through three.
+    """Largest values over a turn, shape (rows,), by parabolas through three samples where smooth.
 
-    Parameters
-    ----------
-    values : array, shape (rows, n)
-        At the samples.
-    wave : array, shape (n,)
-        Wave angles of these, rad.
-    smooth : array of bool, shape (n,)
-        Whether values are smooth from the sample before to that after.
-
-    Returns
-    -------
-    array, shape (rows,)
-
-    Examples
-    --------
     >>> x = np.array([0.0, 1.0, 3.0])
     >>> largest_of_samples(values=5 - (x[None] - 1.5)**2, wave=x, smooth=x == 1).tolist()
     [5.0]
@@ -223,7 +164,7 @@ def largest_of_samples(*, values: FloatArray, wave: FloatArray, smooth: BoolArra
     curved = smooth[index] & (before > 0) & (after > 0)
     before, after = np.where(curved, before, 1.0), np.where(curved, after, 1.0)
     fall, drop = (top - values[row, inner + side] for side in (-1, 1))
-    # with the slope s and the curvature 2c at the sample the parabola rises by s^2/(4c)
+    # A parabola of slope s and curvature 2c at the sample rises above it by s^2/(4c).
     slope = (fall * after / before - drop * before / after) / (before + after)
     bend = (fall / before + drop / after) / (before + after)
     curved &= bend > 0
@@ -231,28 +172,14 @@ def largest_of_samples(*, values: FloatArray, wave: FloatArray, smooth: BoolArra
 
 
 PinsMade = Callable[[float], PinForces]
-"""Forces on pins under a torque, N*m, negative in reverse."""
+"""Function from a torque, N*m, negative in reverse, to the forces on pins."""
 
 Made = Callable[[float], SampledTurn]
-"""The forces of a mechanism under a torque, N*m, negative in reverse; see
-`core.output.real_turn.sampled`."""
+"""Function from a torque, N*m, negative in reverse, to the forces on pins and discs."""
 
 
 def off_straight(*, wave: FloatArray, values: NDArray[Any]) -> FloatArray:
-    """How far each sample lies off the straight line between its neighbours.
-
-    Parameters
-    ----------
-    wave : array, shape (n + 2,)
-        Wave angles, rad, ascending.
-    values : array, shape (..., n + 2)
-        At these.
-
-    Returns
-    -------
-    array, shape (..., n)
-        Of all samples but the first and the last.
-    """
+    """Distance of inner samples from their neighbours' line, (..., n) of (..., n + 2)."""
     before, after = np.diff(wave[:-1]), np.diff(wave[1:])
     line = (values[..., 2:] * before + values[..., :-2] * after) / np.maximum(before + after, TINY)
     found: FloatArray = np.abs(values[..., 1:-1] - line)

@@ -1,4 +1,8 @@
-"""Pins and discs that share a torque: positions as the engine solves them."""
+"""Solved positions of pins and discs that share a torque.
+
+The lag of the output is the angular deflection behind its ideal angle, rad. Angles of the engine
+are wave angles, rad.
+"""
 
 import math
 from collections.abc import Sequence
@@ -22,42 +26,30 @@ REFUSALS = {
     engine.NOT_SOLVED: "not_balanced",
     engine.TOO_WIDE: "beyond_hertz",
 }
-"""What a position is refused as that cannot be."""
+"""Codes of the refusals of positions that cannot be solved."""
 
 CLASS = 5 * engine.CLASS
-"""Error of the forces of positions over the largest: of the method, not of a call."""
+"""Error of the forces over the largest force, from the method."""
 
 ROUNDED = 32 * ROUNDING
-"""Part of a displacement that its sums may lose."""
+"""Relative rounding error of the displacements."""
 
 
 @dataclass(frozen=True, slots=True)
 class Solved:
-    """Room for positions of a drive, and what they leave there, position by position."""
+    """Solved positions of a drive, one row of every array for each of m positions."""
 
     drive: Drive
     work: Work
-    rows: FloatArray  # read-outs of the engine, [m, 21]
-    lags: FloatArray  # of the bodies, against the direction of the output, rad
-    forces: FloatArray  # of all contacts, N
-    wrench: FloatArray  # of each group on its disc: along the crank, across it, about its centre
-    plays: FloatArray  # of each disc in its ring, rad, [m, bodies, 2]
+    rows: FloatArray  # read-outs of the engine, shape (m, 21)
+    lags: FloatArray  # lags of the bodies against the output's sense, rad
+    forces: FloatArray  # forces of all contacts, N
+    wrench: FloatArray  # forces along and across the crank, N, and torque, N*m, by groups
+    plays: FloatArray  # play of each disc in its ring, rad, shape (m, bodies, 2)
 
     @classmethod
     def of(cls, pieces: Pieces, count: int = 1) -> "Solved":
-        """Room for so many positions of the first piece.
-
-        Parameters
-        ----------
-        pieces : Pieces
-            The drive.
-        count : int
-            How many positions.
-
-        Returns
-        -------
-        Solved
-        """
+        """Empty arrays for a number of positions of the first piece of a drive."""
         drive, blank = pieces.drive(), np.zeros
         bodies = len(drive.share)
         return cls(
@@ -71,51 +63,23 @@ class Solved:
         )
 
     def at(self, places: FloatArray, torque: float, *, play: bool = True) -> int:
-        """Solve positions; the first that cannot be, or -1.
+        """Solve positions at m angles of the engine; return the first unsolvable one, or -1.
 
-        Parameters
-        ----------
-        places : array, shape (m,)
-            Angles of the engine, rad.
-        torque : float
-            N*m, negative in reverse.
-        play : bool
-            True where the play is asked too.
-
-        Returns
-        -------
-        int
+        The torque is in N*m, negative in reverse. True for `play` also solves the play.
         """
         given = places, torque, play, self.drive, self.work
         left = self.rows, self.lags, self.forces, self.wrench, self.plays
         return engine.positions(*given, *left)
 
     def contacts(self, kind: int) -> slice:
-        """The contacts of a kind, which lie together.
-
-        Parameters
-        ----------
-        kind : int
-            `engine.PIN` or `engine.LOBE`.
-
-        Returns
-        -------
-        slice
-        """
+        """Slice of the contacts of a kind, `engine.PIN` or `engine.LOBE`."""
         gi = self.drive.gi[self.drive.gi[:, engine.KIND] == kind]
         return slice(gi[0, engine.START], gi[-1, engine.STOP]) if len(gi) else slice(0, 0)
 
     def on_discs(self, *kinds: int) -> FloatArray:
-        """Forces of kinds of contacts on each disc along its crank, across it, and their torque.
+        """Forces of some kinds of contact groups on each disc, shape (m, K, 3).
 
-        Parameters
-        ----------
-        *kinds : int
-            Of groups.
-
-        Returns
-        -------
-        array, shape (m, K, 3)
+        The components are along the crank and across it, N, and the torque about the centre, N*m.
         """
         found = [self.wrench[:, self.drive.gi[:, engine.KIND] == kind] for kind in kinds]
         total: FloatArray = np.sum([each for each in found if each.shape[1]], axis=0)
@@ -123,17 +87,15 @@ class Solved:
 
     @property
     def by_ring(self) -> FloatArray:
-        """Forces of the ring on each disc."""
+        """Forces of the ring on each disc, N and N*m, shape (m, K, 3)."""
         return self.on_discs(engine.LOBE, engine.FLANK)
 
     @property
     def discs(self) -> tuple[FloatArray, ComplexArray]:
-        """Lag of each disc against the direction of the output, rad, and its shift on its crank,
-        along it and i times across it, m, shape (m, K).
-        """
+        """Lag of each disc, rad, and shift on its crank, along + i*across, m, shapes (m, K)."""
         drive, first = self.drive, self.drive.gi[:, engine.KIND] == self.drive.gi[0, engine.KIND]
         gi, late = drive.gi[first], drive.gf[first, engine.LATE]
-        moves = np.pad(self.lags, ((0, 0), (0, 1)))  # the last one of what does not move
+        moves = np.pad(self.lags, ((0, 0), (0, 1)))  # last column: parts that do not move
         own, along, across, turn = (
             moves[:, gi[:, each]] for each in (engine.OWN, engine.ALONG, engine.ACROSS, engine.TURN)
         )
@@ -142,17 +104,17 @@ class Solved:
 
     @property
     def lag(self) -> FloatArray:
-        """Lag of the output, counted as the torque turns, rad."""
+        """Angular deflection of the output, positive in the sense of the torque, rad."""
         return np.asarray(self.rows[:, engine.LAG])
 
     @property
     def stiffness(self) -> FloatArray:
-        """Torque over the lag, N*m/rad."""
+        """Torsional stiffness as the slope of the torque over the lag, N*m/rad."""
         return np.asarray(self.rows[:, engine.STIFFNESS])
 
     @property
     def play(self) -> FloatArray:
-        """Least and largest lag without load, counted as the torque turns, rad, shape (m, 2)."""
+        """Least and largest lag without load in the torque's sense, rad, shape (m, 2)."""
         return np.asarray(self.rows[:, engine.LOW : engine.HIGH + 1])
 
     @property
@@ -163,7 +125,7 @@ class Solved:
 
     @property
     def jammed(self) -> BoolArray:
-        """True where the output has no play, as pairs press."""
+        """True where the output has no play because pairs press."""
         jammed: BoolArray = self.play[:, 0] > self.play[:, 1] + engine.LEAST_PLAY
         return jammed
 
@@ -174,15 +136,16 @@ class Solved:
 
     @property
     def steps(self) -> int:
-        """Steps of all positions."""
+        """Number of solver steps of all positions."""
         return int(self.rows[:, engine.STEPS].sum())
 
     @property
     def error(self) -> FloatArray:
-        """Error of the forces, N: of the method, and by rounding of what moves, which counts under
-        a torque of next to nothing.
+        """Error of the forces, N, by the method and by rounding of displacements.
+
+        Rounding counts only under a torque of next to nothing.
         """
-        radius = float(self.drive.gf[0, engine.CIRCLE])  # of the pins
+        radius = float(self.drive.gf[0, engine.CIRCLE])  # radius of the pin circle
         rounded = ROUNDED * self.stiffness * np.abs(self.lags).max(axis=1) / radius
         return np.asarray(CLASS * self.forces.max(axis=1) + rounded)
 
@@ -190,14 +153,14 @@ class Solved:
 class Stage:
     """Output pins in the holes of discs, a ring of pins on the teeth of discs, or both."""
 
-    mechanism: Mechanism  # pins and cranks; of a ring the wave turns with the crank
-    support: Any  # what of the satellites gives, or their given shares; None where they are rigid
+    mechanism: Mechanism  # pins and cranks; the wave of a ring turns with the crank
+    support: Any  # elastic supports or given shares of the satellites; None if rigid
     kind = engine.PIN
-    """Contacts whose forces are those of the stage."""
+    """Kind of the contacts whose forces are those of the stage."""
 
     @property
     def drive(self) -> Pieces:
-        """The drive as the engine takes it."""
+        """Stage in the form that the engine takes."""
         raise NotImplementedError
 
     @property
@@ -207,7 +170,7 @@ class Stage:
 
     @property
     def pins_alike(self) -> bool:
-        """True where all pins are alike, and all that they touch of a satellite."""
+        """True if all pins are alike, and all parts of a satellite that they touch."""
         raise NotImplementedError
 
     @property
@@ -216,47 +179,20 @@ class Stage:
         return 0.0, math.pi
 
     def wave(self, crank_angle: float) -> float:
-        """Angle of the engine at a crank angle, rad: that of the wave, within half a turn around 0.
-
-        Parameters
-        ----------
-        crank_angle : float
-            Crank angle, rad.
-        """
+        """Angle of the engine at a crank angle, rad: the wave angle within half a turn around 0."""
         return math.remainder(self.mechanism.wave_angle(crank_angle), 2 * math.pi)
 
     def crank_angle(self, psi: float) -> float:
-        """First crank angle >= 0 of an angle of the engine, rad.
-
-        Parameters
-        ----------
-        psi : float
-            As `wave` gives it, rad.
-        """
+        """First crank angle >= 0 of an angle of the engine, rad."""
         off = psi - self.mechanism.initial_crank_angle
         return off % (2 * math.pi) / self.mechanism.waves_per_turn
 
     def solved(self, places: Sequence[float], torque: float, *, play: bool = True) -> Solved:
-        """Equilibrium at angles of the engine; what cannot be is refused.
+        """Equilibrium at angles of the engine, rad, under a torque on the output link, N*m.
 
-        Parameters
-        ----------
-        places : sequence of float
-            As `wave` gives them, rad.
-        torque : float
-            On the output link, N*m, not 0; negative in reverse.
-        play : bool
-            True where the play is asked too.
-
-        Returns
-        -------
-        Solved
-
-        Raises
-        ------
-        ImpossibleMechanism
-            If no pair can drive, forces would not balance or not be stable, or a contact would be
-            as wide as its pin.
+        The torque is not 0 and negative in reverse. ImpossibleMechanism is raised if no pair can
+        drive, if forces do not balance or are not stable, or if a contact would be as wide as its
+        pin.
         """
         room = Solved.of(self.drive, len(places))
         bad = room.at(np.array(places, float), torque, play=play)
@@ -265,28 +201,13 @@ class Stage:
         return room
 
     def refuse(self, *, angle: float, status: int, room: Solved) -> None:
-        """Refuse a position that cannot be, as the engine left it.
-
-        Parameters
-        ----------
-        angle : float
-            Angle of the engine, rad.
-        status : int
-            Of the position.
-        room : Solved
-            The positions.
-
-        Raises
-        ------
-        ImpossibleMechanism
-            Always.
-        """
+        """Raise ImpossibleMechanism for a position by the status that the engine left."""
         params = self._beyond_law(room) if status == engine.TOO_WIDE else {}
         place = {"crank_angle": self.crank_angle(float(angle))}
         raise ImpossibleMechanism(REFUSALS[status], place, **params)
 
     def _beyond_law(self, room: Solved) -> dict[str, Any]:
-        """The pair whose force is beyond its law: disc, and pin of the ring or the output."""
+        """Numbers of the satellite and the pin whose force is beyond the contact law."""
         w, gi = room.work.w, room.drive.gi
         index = int(np.flatnonzero(w[:, engine.FORCE] > w[:, engine.MOST])[0])
         g = int(((gi[:, engine.START] <= index) & (index < gi[:, engine.STOP])).argmax())
@@ -294,21 +215,10 @@ class Stage:
         return {"satellite": disc + 1, "pin": index - int(gi[g, engine.START]) + 1}
 
     def unloaded(self, places: FloatArray, way: float = 1.0, *, least: bool = False) -> FloatArray:
-        """Play, and where it is asked what presses least, at angles of the engine.
+        """Play at angles of the engine as its read-outs, shape (m, 21).
 
-        Parameters
-        ----------
-        places : array, shape (m,)
-            rad.
-        way : float
-            Direction in which lags count: 1, or -1 in reverse.
-        least : bool
-            True where the smallest possible worst approach is asked, of a ring alone.
-
-        Returns
-        -------
-        array, shape (m, 21)
-            Read-outs of the engine.
+        The sign of `way` is the sense in which lags count. True for `least` also finds the smallest
+        possible worst approach, for a ring alone.
         """
         room = Solved.of(self.drive, len(places))
         engine.unloaded(places, way, least, room.drive, room.work, room.rows, room.plays)
@@ -316,25 +226,13 @@ class Stage:
 
     @cached_property
     def _free(self) -> dict[bytes, FloatArray]:
-        """Plays at places that were asked, which no torque changes."""
+        """Play by places that were asked before; torques do not change it."""
         return {}
 
     def free(self, places: Sequence[float], way: float) -> tuple[FloatArray, BoolArray]:
-        """Play at angles of the engine, each set of them looked at once.
+        """Least and largest lag without load, rad, shape (m, 2), and pressing pairs, shape (m,).
 
-        Parameters
-        ----------
-        places : sequence of float
-            As `wave` gives them, rad.
-        way : float
-            Direction in which lags count: 1, or -1 in reverse.
-
-        Returns
-        -------
-        play : array, shape (m, 2)
-            Least and largest lag without load, rad.
-        pressed : array, shape (m,)
-            True where pairs press without load.
+        The sign of `way` is the sense in which lags count. Each set of places is solved once.
         """
         there = np.array(places, float)
         if there.tobytes() not in self._free:
@@ -344,16 +242,6 @@ class Stage:
         return (play if way > 0 else -play[:, ::-1]), rows[:, engine.PRESSED] > 0
 
     def rows(self, values: Sequence[float]) -> tuple[tuple[float, ...], ...]:
-        """Values of the pairs, satellite by satellite.
-
-        Parameters
-        ----------
-        values : sequence of float, K*N
-            Values in the engine's order.
-
-        Returns
-        -------
-        tuple of tuple of float, K x N
-        """
+        """Values of the K*N pairs as one row for each satellite."""
         pins = self.mechanism.pins
         return tuple(tuple(values[i : i + pins]) for i in range(0, len(values), pins))

@@ -1,4 +1,4 @@
-"""Summits of a function over the turn: those of a grid, which are then narrowed."""
+"""Summits of a function over the turn, found on a grid and then narrowed."""
 
 import math
 from collections.abc import Sequence
@@ -10,20 +10,20 @@ from core.arrays import FloatArray
 from core.numerics.extremes import Narrow, hill
 
 ALIKE = 1e-11
-"""Relative difference below which two summits look equal on the grid."""
+"""Relative difference below which two summits of the grid count as equal."""
 
 ZOOMED = 3
-"""How many summits are narrowed at least, of what has no spikes."""
+"""Least number of summits that are narrowed if the function has no spikes."""
 
 
 @dataclass(frozen=True, slots=True)
 class Summit:
-    """A summit, narrowed."""
+    """Narrowed summit."""
 
     place: float  # rad
     height: float  # in the unit of what is sampled
-    error: float  # how much higher a kink within the last width may be
-    alike: tuple[float, ...]  # places where others look the same, rad
+    error: float  # largest rise of a kink within the last width
+    alike: tuple[float, ...]  # places of equal summits, rad
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,29 +47,23 @@ def summits(
     most: int | None = None,
     top: bool = False,
 ) -> list[Summit]:
-    """Summits of a grid, narrowed; those that look alike are narrowed once.
+    """Summits of a grid, narrowed; equal ones are narrowed once.
+
+    A summit is taken to be concave between its neighbours, so that it is not above the lines that
+    lead to it from both sides.
 
     Parameters
     ----------
     grid : Grid
         Values over one period.
     narrow : callable
-        The largest value between two places.
+        Place, height and error of the largest value between two places.
     known : sequence of Summit
-        Summits that have been narrowed: what leads to one of them is not narrowed again.
+        Summits found before, which are not narrowed again.
     most : int, optional
-        Only so many of the highest.
+        Number of the highest summits to narrow; all by default.
     top : bool
-        Only those that may be the highest of all, and `ZOOMED`.
-
-    Returns
-    -------
-    list of Summit
-
-    Notes
-    -----
-    Between its neighbours a summit is taken to be concave: it is not above the lines that lead to
-    it from both sides.
+        True narrows only summits that may be the highest of all, at least `ZOOMED`.
     """
     places, heights = grid.places, grid.heights
     count, turn = len(places), grid.period
@@ -106,21 +100,9 @@ def summits(
 
 
 def highest(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[Summit, float]:
-    """The highest summit of what has no spikes, of the highest ones of a grid.
+    """Highest summit of a function without spikes, and the height that the coarse grid misses.
 
-    Parameters
-    ----------
-    coarse, fine : Grid
-        Values over one period; the fine grid has the places of the coarse one.
-    narrow : callable
-        The largest value between two places.
-
-    Returns
-    -------
-    summit : Summit
-        The highest.
-    missed : float
-        How much of it the coarse grid alone would have missed.
+    The fine grid has all places of the coarse one.
     """
     found = summits(grid=fine, narrow=narrow, top=True)
     rough = summits(grid=coarse, narrow=narrow, known=found, top=True)
@@ -129,24 +111,7 @@ def highest(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[Summit, float]
 
 
 def all_summits(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[list[Summit], Summit, float]:
-    """All summits of a coarse and of a fine grid.
-
-    Parameters
-    ----------
-    coarse, fine : Grid
-        As `highest` takes them.
-    narrow : callable
-        The largest value between two places.
-
-    Returns
-    -------
-    summits : list of Summit
-        All.
-    highest : Summit
-        The highest of them.
-    rough : float
-        Height that the coarse grid alone would have given.
-    """
+    """All summits of two grids, the highest one, and the height by the coarse grid alone."""
     found = summits(grid=coarse, narrow=narrow)
     rough = max(map(_height, found))
     found += summits(grid=fine, narrow=narrow, known=found)

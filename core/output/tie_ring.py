@@ -1,15 +1,16 @@
-"""A floating tie ring: a rigid ring that joins the free ends of the pins and is held by them alone.
+"""Floating tie ring: a rigid ring that joins the free ends of the pins and that only they hold.
 
 The ring lies in a plane at the distance L from the carrier's face. It moves in this plane by U and
-turns by w about the axis; it cannot tilt, as the pins keep their length. Of pin n, with the forces
-of its satellites at z_j, all as complex numbers,
+turns by w about the axis; it cannot tilt, as the pins keep their length. The force of the ring on
+pin n, under the forces of the discs at z_j, all as complex numbers, is
 
     X_n = (U + w*R*t_n - sum_j F_jn*a(z_j))/f,   f = a(L),   sum X = 0,   sum Re(X*conj(t)) = 0
 
-is the force of the ring on it, t_n the tangential direction there and a(z) the deflection of the
-end under a unit force at z: of a cantilever where the ring is pinned to the pins, of a pin whose
-end cannot slope where it is clamped. Where all pins are loaded alike the ring turns with them and
-carries nothing: it evens out, and does not hold.
+with the tangential direction t_n and the deflection a(z) of the pin's end under a unit force at z:
+of a cantilever if the ring is pinned to the pins, and of a pin whose end cannot slope if it is
+clamped. A ring on equally loaded pins turns with them and carries nothing. The movement of the ring
+is the one with the least energy in the pins: of equal pins the mean movement of their ends, and
+along the circle the mean of the tangential parts. Derived.
 """
 
 from collections.abc import Sequence
@@ -22,29 +23,23 @@ from numpy.typing import NDArray
 from core.arrays import ComplexArray, FloatArray, Number, larger, smaller
 
 RingJoint = Literal["pinned", "clamped"]
-"""The pins' ends turn freely in the ring, or are clamped in it."""
+"""Joint of the ring to the pins' ends: free to turn, or clamped."""
 
 
 @dataclass(frozen=True, slots=True)
 class TieRing:
-    """What a tie ring is to one pin."""
+    """Tie ring as one pin feels it."""
 
-    joint: RingJoint  # to the pins
+    joint: RingJoint  # joint of the ring to the pins
     span: float  # L of its middle from the carrier's face, m, > 0
     rigidity: float  # E*I of the pin, N*m^2, > 0
-    shear_area: float  # k*E*I/(G*A) of the pin, m^2, > 0: what shear adds
+    shear_area: float  # k*E*I/(G*A) of the pin, m^2, > 0: share of shear
 
     def flexibility(self, x: Number, z: Number) -> Number:
-        """Deflection at x under a unit force at z, m/N, while nothing holds the end.
+        """Deflection at x under a unit force at z, m/N, of a pin whose end the ring does not hold.
 
-        Parameters
-        ----------
-        x, z : float or array
-            Distances from the carrier's face, m, up to the span.
-
-        Returns
-        -------
-        float or array
+        x and z are distances from the carrier's face, m, up to the span. A clamped end keeps its
+        slope 0.
         """
         near, far = smaller(x, z), larger(x, z)
         bent = near * near * (3 * far - near) / 6
@@ -53,64 +48,36 @@ class TieRing:
         return (bent + self.shear_area * near) / self.rigidity
 
     def end(self, z: Number) -> Number:
-        """Deflection of the end under a unit force at z, a(z), m/N."""
+        """Deflection a(z) of the pin's end under a unit force at z, m/N."""
         return self.flexibility(z, self.span)
 
     def end_moment(self, z: Number) -> Number:
-        """Moment of the ring on the end under a unit force at z, m; it keeps the end's slope 0."""
+        """Moment of the ring on the pin's end under a unit force at z, m, for a slope of 0."""
         return -z * z / (2 * self.span) if self.joint == "clamped" else 0.0 * z
 
 
 class RingForces(NamedTuple):
-    """What a tie ring does under the forces of the satellites, m positions."""
+    """Forces and movement of a tie ring at m positions."""
 
     forces: ComplexArray  # X of the ring on each pin, N, tangential + i*radial, shape (N, m)
-    shift: ComplexArray  # U of its middle, m, shape (m,)
-    along: FloatArray  # w*R, how far it moves along the circle of the pins, m, shape (m,)
+    shift: ComplexArray  # U of the ring's middle, m, shape (m,)
+    along: FloatArray  # w*R, movement along the circle of the pins, m, shape (m,)
 
 
 def ring_forces(
     *, rings: Sequence[TieRing], positions: Sequence[float], forces: ComplexArray
 ) -> RingForces:
-    """Forces of a tie ring on its pins, and how it moves.
+    """Forces of a tie ring on its N evenly spaced pins, and the movement of the ring.
 
-    Parameters
-    ----------
-    rings : sequence of TieRing
-        The ring as each of the N pins, evenly spaced, feels it; they may differ.
-    positions : sequence of float
-        Middle plane z of each satellite from the carrier's face, m, K values.
-    forces : array, shape (K, N, m)
-        Forces on the pins, N, tangential + i*radial of each.
-
-    Returns
-    -------
-    RingForces
-
-    Notes
-    -----
-    Derived: the movement of the ring is the one with the least energy in the pins. Of equal pins it
-    is the mean of their ends' movements, along the circle that of their tangential parts. The ring
-    of a single pin follows it.
-
-    Examples
-    --------
-    One of six pins is loaded: two thirds of what would hold its end, as the others give.
-
-    >>> ring = TieRing("pinned", span=0.052, rigidity=675.6, shear_area=4.6e-5)
-    >>> load = np.zeros((1, 6, 1), dtype=complex)
-    >>> load[0, 0] = 1000.0
-    >>> found = ring_forces(rings=[ring]*6, positions=(0.037,), forces=load)
-    >>> part = ring.end(0.037)/ring.end(0.052)
-    >>> bool(np.isclose(-found.forces[0, 0], 1000*part*(1 - 2/6)))
-    True
+    The K middle planes of the discs are distances from the carrier's face, m. Forces on the pins
+    have the shape (K, N, m), N, tangential + i*radial. `rings` is the ring as each pin feels it.
     """
     pins = len(rings)
     along = -np.exp(2j * np.pi * np.arange(pins) / pins)
     each = np.array([[ring.end(z) for ring in rings] for z in positions])
     ends = along[:, None] * np.conj((each[:, :, None] * forces).sum(axis=0))
     stiff = np.array([1 / ring.end(ring.span) for ring in rings])
-    # movements of the ends by those of the ring, weighted by the roots of the stiffnesses
+    # least squares of the ends' movements, weighted by the roots of the stiffnesses
     ones, root = np.ones(pins), np.sqrt(stiff)
     by_ring = np.block(
         [[ones[:, None], 0 * ones[:, None], along.real[:, None]],

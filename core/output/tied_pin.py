@@ -1,4 +1,4 @@
-"""Pins that a floating tie ring joins, under the forces of a turn: the ring is one load more."""
+"""Pins that a floating tie ring joins, under the forces of a turn; the ring is one more load."""
 
 import math
 from dataclasses import dataclass, field, replace
@@ -14,25 +14,25 @@ from core.output.tie_ring import RingForces, TieRing, ring_forces
 
 @dataclass(frozen=True, slots=True)
 class TieRingLoad:
-    """What a tie ring bears over the turn, each where it is largest."""
+    """Largest loads and movements of a tie ring over the turn."""
 
-    peak_force: float  # X of the ring on a pin, N
-    peak_end_moment: float  # at the end of a pin, N*m; 0 where the joint is pinned
-    shift: float  # how far its middle moves, m
-    turn: float  # how far it turns about the axis against the carrier, rad
+    peak_force: float  # largest force X of the ring on a pin, N
+    peak_end_moment: float  # largest moment at the end of a pin, N*m; 0 if pinned
+    shift: float  # largest movement of the ring's middle, m
+    turn: float  # largest rotation about the axis against the carrier, rad
 
 
 @dataclass(frozen=True)
 class TiedPin(LoadedPin):
-    """A pin that a tie ring holds at its end: the last load is that of the ring."""
+    """Pin whose end a tie ring holds; the last load is that of the ring."""
 
-    ring: TieRing = field(kw_only=True)  # as the pin feels it
+    ring: TieRing = field(kw_only=True)  # ring as the pin feels it
 
     def by_unit(self, what: str, x: FloatArray) -> FloatArray:
-        """What a unit of each load does at sections, shape (..., K + 1)."""
+        """Effect of a unit of each load at sections, shape (..., K + 1)."""
         own, span, rigidity = super().by_unit(what, x), self.ring.span, self.ring.rigidity
         x = np.asarray(x)[..., None]
-        # by the ring's force, and by a moment at the end
+        # effect of the ring's force, and of a moment at the end
         alone, by_moment = {
             "moment": (span - x, 1.0 + 0 * x),
             "shear": (1.0 + 0 * x, 0.0 * x),
@@ -46,11 +46,11 @@ class TiedPin(LoadedPin):
 
     @cached_property
     def end_moments(self) -> FloatArray:
-        """Moment of the ring on the end by a unit of each load, m, shape (K + 1,)."""
+        """Moment of the ring on the pin's end by a unit of each load, m, shape (K + 1,)."""
         return np.asarray(self.ring.end_moment(np.append(self.positions, self.ring.span)))
 
     def ring_forces(self, forces: ComplexArray) -> RingForces:
-        """The ring under the forces of the satellites on all pins, shape (K, N, n)."""
+        """Ring under the forces of the discs on all pins, shape (K, N, n)."""
         rings = [self.ring] * forces.shape[1]
         return ring_forces(rings=rings, positions=self.positions.tolist(), forces=forces)
 
@@ -60,11 +60,11 @@ class TiedPin(LoadedPin):
         return replace(turn, on_pins=np.concatenate((turn.on_pins, by_ring[None])))
 
     def holding(self, made: PinsMade) -> PinsMade:
-        """The same of the forces under each torque."""
+        """Function from a torque to the forces with those of the ring."""
         return lambda torque: self.held(made(torque))
 
     def ring_load(self, turns: list[PinForces], pin_circle_radius: float) -> TieRingLoad:
-        """What the ring bears over turns that it holds, with the radius of the pin circle, m."""
+        """Largest loads of the ring over turns that it holds, for a pin circle radius, m."""
         found = []
         for turn in turns:
             moved = self.ring_forces(turn.on_pins[:-1])
@@ -75,20 +75,7 @@ class TiedPin(LoadedPin):
 
 
 def section_of(*, position: float, span: float) -> str:
-    """Where along a pin that a tie ring holds a section is.
-
-    Parameters
-    ----------
-    position : float
-        Of the section from the carrier's face, m.
-    span : float
-        Of the ring, m.
-
-    Returns
-    -------
-    str
-        ``"root"``, ``"ring"``, or ``""`` between them.
-    """
+    """Name of a section of a pin with a tie ring: "root", "ring", or "" between them."""
     if math.isclose(position, span):
         return "ring"
     return "" if position else "root"

@@ -1,8 +1,7 @@
-"""The mechanism as it is made under a torque, over the turn of the wave: all that is read of a turn
-is read here.
+"""Positions of a mechanism as made over the turn of the wave, under one torque.
 
-Positions are solved once, when they are first asked for. Where all pins are alike the turn repeats
-with each of them, and only one pitch of it is solved.
+All results over a turn are read here. Positions are solved once, when they are first asked for. If
+all pins are alike, the turn repeats with each of them, and only one pitch is solved.
 """
 
 import math
@@ -19,40 +18,35 @@ from core.output.stage import Solved, Stage
 from core.output.summits import Grid
 
 POSITIONS = 720
-"""Positions of the turn at least, a multiple of the pairs: equal summits look equal on the grid."""
+"""Least number of positions of the turn; a multiple of the pairs keeps equal summits equal."""
 
 CLUSTER = 8
-"""How often the distance to a pair's dead angle, where it takes up or leaves, is halved."""
+"""Number of halvings of the distance to a pair's dead angle, where the pair takes up or leaves."""
 
 MOST_CLUSTERED = 2880
-"""Positions at dead angles at most: with many pairs the grid itself is dense enough there."""
+"""Largest number of positions at dead angles: with many pairs the grid itself is dense enough."""
 
 LOOKED_AGAIN = 461
-"""Positions of the second look over a turn: so many as a third of the time allows."""
+"""Number of positions of the second look over a turn, for about a third of the time."""
 
 LEAST_AGAIN = 37
-"""The same over a pitch at least."""
+"""Least number of positions of the second look over a pitch."""
 
 OF_PLAY = engine.HIGH, engine.PLAY
-"""Read-outs for which no position is solved."""
+"""Read-outs that need no solved position."""
 
 Rows = dict[str, Any]
-"""Quantities at positions by their names, each shape (n,); the forces of all pairs, shape (n, K*N);
-of each disc how far it lags `behind`, and is `off` its place on its crank, as `Solved.discs`; and
-`wave`, the angles of the engine, rad."""
+"""Quantities at n positions by their names, each of shape (n,): `forces` of all pairs (n, K*N), lag
+of each disc (`behind`) and its shift on its crank (`off`) as in `Solved.discs`, `wave` the angles
+of the engine, rad.
+"""
 
 
 class Turn:
-    """The mechanism under a torque, over the turn; refusals as `Stage.solved`.
+    """Mechanism under a torque on the output link, N*m, over the turn.
 
-    Parameters
-    ----------
-    real : Stage
-        The mechanism.
-    torque : float
-        On the output link, N*m, not 0; negative in reverse.
-    share : float
-        Share of the torque under which the lost motion is taken.
+    The torque is not 0 and negative in reverse; `Stage.solved` says what is refused. The lost
+    motion is taken under `share` of it.
     """
 
     def __init__(self, real: Stage, torque: float, share: float = 0.03) -> None:
@@ -61,34 +55,32 @@ class Turn:
         self.room = Solved.of(real.drive)
         pins = real.kind == engine.PIN
         self.force = engine.PIN_FORCE if pins else engine.LOBE_FORCE
-        """Read-out of the largest force; those of pressure and loaded pairs come next to it."""
+        """Read-out of the largest force; pressure and number of loaded pairs are the next two."""
         self.pressure = self.force + 1
         self.evaluations = 0
         self.repeats = real.mechanism.pins if real.pins_alike else 1
-        """How often the turn repeats: from one period to the next a pin feels what the next one
-        felt.
-        """
+        """Number of periods in the turn; after one, a pin has the force of the next pin."""
         self.period = 2 * math.pi / self.repeats
         self.step = 1 if self.repeats > 1 else 0
-        """By how many pins that is."""
+        """Shift in pins from one period to the next."""
         self.waves = 1
-        """Turns of the wave after which a pin feels the same again."""
+        """Turns of the wave after which a pin's force repeats."""
         self.first = real.mechanism.initial_crank_angle
-        """Wave angle at the crank angle 0."""
+        """Wave angle at the crank angle 0, rad."""
 
     def of_pairs(self, largest: FloatArray) -> FloatArray:
-        """Largest values of all pairs over the turn, by those over a period."""
+        """Largest values of all pairs over the turn, from those over a period."""
         if self.repeats == 1:
             return largest
         own = largest.reshape(-1, self.repeats)
         return np.broadcast_to(own.max(axis=1, keepdims=True), own.shape).ravel()
 
     def between(self, places: Sequence[float]) -> Rows:
-        """Positions of which the play is not asked."""
+        """Positions without their play."""
         return self.poses(places, play=False)
 
     def poses(self, places: Sequence[float], *, play: bool = True) -> Rows:
-        """Positions at angles of the engine, rad."""
+        """Solved positions at angles of the engine, rad."""
         self.evaluations += len(places)
         room = self.real.solved(places, self.torque, play=False)
         free, pressed = room.play, room.pressed
@@ -112,7 +104,7 @@ class Turn:
         return found | self.of_ring(room)
 
     def of_ring(self, room: Solved) -> Rows:
-        """What positions have of a ring."""
+        """Quantities of a ring's mesh at solved positions; empty without a ring."""
         teeth = room.contacts(engine.LOBE)
         if teeth.stop == 0:
             return {}
@@ -139,7 +131,7 @@ class Turn:
 
     @derived
     def fine(self) -> Rows:
-        """The same, and in the middles of the even grid."""
+        """Positions of the coarse grid and of the middles of its even steps."""
         even, near = self.positions()
         middle = (even[1] - even[0]) / 2
         between = {psi + middle for psi in even} - {*even, *near}
@@ -147,17 +139,17 @@ class Turn:
 
     @derived
     def again(self) -> Rows:
-        """Positions of the second look, none of which is one of the others, over a period."""
+        """Positions of the second look over a period, none of which is on the grid."""
         places = other_places(count=self.looked_again, first=self.first, period=self.period)
         return self.poses(places.tolist())
 
     @property
     def looked_again(self) -> int:
-        """Positions of the second look."""
+        """Number of positions of the second look."""
         return max(LOOKED_AGAIN // self.repeats, LEAST_AGAIN)
 
     def values(self, kind: int, places: Iterable[float], period: float = 2 * math.pi) -> Grid:
-        """A read-out of the engine at its angles over a turn, or over so much of it, rad."""
+        """Read-out of the engine at places, rad, over a period."""
         where = [*places]
         if kind in OF_PLAY:
             way = math.copysign(1.0, self.torque)
@@ -171,9 +163,7 @@ class Turn:
         return Grid(np.array(where), heights, period)
 
     def narrow(self, kind: int, sign: int = 1) -> Narrow:
-        """How the largest value of a read-out between two places is found; for the sign -1 the
-        least, as its opposite.
-        """
+        """Function that finds a read-out's largest value between two places; least for sign -1."""
         room = self.room
 
         def narrowed(low: float, high: float) -> tuple[float, float, float]:
@@ -189,7 +179,7 @@ class Turn:
         return narrowed
 
     def positions(self) -> tuple[list[float], list[float]]:
-        """Wave angles of an even grid over a period, and those around dead angles."""
+        """Wave angles of an even grid over a period, and those around dead angles, rad."""
         phases, pins = self.real.phases, self.real.mechanism.pins
         many = pins * len(phases)
         count = many * -(-POSITIONS // many)
@@ -213,16 +203,6 @@ class Turn:
 
 
 def joined(*, one: Rows, other: Rows) -> Rows:
-    """Two sets of positions as one, in the order of their wave angles.
-
-    Parameters
-    ----------
-    one, other : dict of array
-        Positions.
-
-    Returns
-    -------
-    dict of array
-    """
+    """Two sets of positions as one, in the order of their wave angles."""
     order = np.argsort(np.concatenate((one["wave"], other["wave"])), kind="stable")
     return {name: np.concatenate((row, other[name]))[order] for name, row in one.items()}

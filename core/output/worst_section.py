@@ -1,11 +1,9 @@
-"""Where along a pin and around it something is largest: cells that may hold it, cut ever smaller.
+"""Search along and around a pin for the largest value, in cells that are cut ever smaller.
 
-The search knows how far a value may lie above those at the corners of a cell, and drops cells that
-cannot hold the largest:
-
-- Along the pin the moment is curved by the line load alone, ``M'' = F/b``.
-- Of a component that is largest of all directions one at an angle a beside it is ``cos(a)``; so is
-  a utilisation that is the largest of sums of such components.
+The search knows a bound of the value within each cell and drops cells that cannot hold the largest
+one. Along the pin the moment is curved by the line load alone, ``M'' = F/b``. At an angle a beside
+the direction where a component is largest, the component and any utilisation that is a largest sum
+of components have fallen to ``cos(a)``.
 """
 
 from collections.abc import Callable
@@ -17,37 +15,37 @@ from core.arrays import FloatArray
 from core.precision import SAME
 
 ALONG, AROUND = 1, 8
-"""Parts of each stretch of the pin, and directions, that are looked at first."""
+"""Number of first parts of each stretch of the pin, and of directions."""
 
 CLOSER = 3
-"""Into how many parts a cell is cut each way."""
+"""Number of parts of a cell in each direction."""
 
 KEPT, FEWEST = 200, 100
-"""Most cells that are cut at first, and at last: more are left only where the value is flat."""
+"""Largest numbers of cells cut at first and at last; more remain only if the value is flat."""
 
 ENOUGH = 1e-9
-"""How much more than the largest value found a cell may hold at last, as a part of it."""
+"""Relative amount by which a cell may still exceed the largest value found, at last."""
 
 BESIDE = 1e-3
-"""How far beside the largest value a parabola is laid through, over the length of the stretch."""
+"""Distance of the points of a parabola beside the largest value, over the length of the stretch."""
 
 ROUNDS = 24
-"""How often cells are cut at most."""
+"""Largest number of rounds of cutting."""
 
 
 class Cells(NamedTuple):
-    """Sections and directions, each a corner of a cell, or its middle."""
+    """Sections and directions, each a corner or the middle of a cell."""
 
     section: FloatArray  # distance from the carrier's face, m, shape (rows,)
     direction: FloatArray  # rad, shape (rows,)
-    length: FloatArray  # of the cell along the pin, m, shape (rows,)
-    angle: float  # of the cell around it, rad
+    length: FloatArray  # length of the cell along the pin, m, shape (rows,)
+    angle: float  # angle of the cell around the pin, rad
 
 
 class Place(NamedTuple):
-    """Where a value is largest."""
+    """Place of a largest value."""
 
-    value: float  # in its own unit
+    value: float  # largest value, in its own unit
     section: float  # distance from the carrier's face, m
     direction: float  # rad
 
@@ -61,27 +59,12 @@ def largest_of_cells(
     beyond: float,
     enough: float = ENOUGH,
 ) -> Place | None:
-    """The largest value of all sections, and of all directions where they count.
+    """Largest value of all sections and directions, or None if no value exceeds `beyond`.
 
-    Parameters
-    ----------
-    value : callable
-        Of corners: values, and how large they may be within their cells, shape (rows,).
-    near : callable
-        Told the middles of the cells that are left: no other places are asked of after.
-    stretches : array, shape (2, s)
-        Ends of the stretches along which the value is smooth; the same twice for one section.
-    directions : tuple of float
-        The first one and the angle over which they are looked at, rad; 0 where none counts.
-    beyond : float
-        Value up to which a largest one does not count.
-    enough : float
-        How much more than the largest value found there may be, as a part of it.
-
-    Returns
-    -------
-    Place or None
-        None where there is nothing beyond. Of places that are alike the first section counts.
+    `value` gives values at corners and their bounds within the cells, shape (rows,). `near` is told
+    the middles of the cells that are left. `stretches`, shape (2, s), are the ends of smooth
+    stretches of the pin, m. `directions` are the first one and the angle searched, rad, 0 for none.
+    `enough` is the relative excess that may be missed. The first section counts among equal ones.
     """
     (low, high), start = stretches, np.full(stretches.shape[1], directions[0])
     angle = directions[1]
@@ -124,21 +107,7 @@ def largest_of_cells(
 def settled(
     *, value: Callable[[Cells], tuple[FloatArray, FloatArray]], found: Place, stretches: FloatArray
 ) -> Place:
-    """The place with its section where a parabola through three is largest: the value is flat.
-
-    Parameters
-    ----------
-    value : callable
-        As `largest_of_cells` takes it.
-    found : Place
-        Where the value is largest but for what is hardly seen.
-    stretches : array, shape (2, s)
-        Ends of the stretches along which the value is smooth, m.
-
-    Returns
-    -------
-    Place
-    """
+    """Place moved to the top of a parabola through three sections, as the value is flat."""
     step = BESIDE * (stretches[1] - stretches[0])
     off = np.minimum(found.section - stretches[0], stretches[1] - found.section)
     for own in step[(step > 0) & (off >= step)][:1]:
