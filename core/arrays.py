@@ -1,8 +1,8 @@
-"""One function for a number and for arrays of designs.
+"""Functions that take a number or an array of designs, and the types of arrays.
 
-Each function here looks at its operand: plain floats go to `math` (some 50 ns), everything else to
-NumPy, so that a formula is written once and serves one design in microseconds and millions of
-designs a second. Arrays may have any leading axes and broadcast as NumPy's do.
+Each function looks at its operand: plain floats go to `math` (some 50 ns), everything else to
+NumPy. One formula thus serves a single design in microseconds and millions of designs a second.
+Arrays may have any leading axes and broadcast as NumPy's do.
 """
 
 import math
@@ -20,8 +20,8 @@ IntArray = NDArray[np.intp]
 BoolArray = NDArray[np.bool_]
 
 Number: TypeAlias = Any
-"""A quantity of one design (float) or of many (`FloatArray`); a union of the two would know no
-arithmetic to a type checker."""
+"""Quantity of one design (float) or of many (`FloatArray`); `Any`, as type checkers reject
+arithmetic on a union of both."""
 
 Vector = tuple[float, float, float]
 """x, y, z."""
@@ -44,126 +44,48 @@ log1p = _either(math.log1p, np.log1p)
 
 
 def larger(x: Any, y: Any) -> Any:
-    """The larger of two quantities.
-
-    Parameters
-    ----------
-    x, y : float or array
-        The two.
-
-    Returns
-    -------
-    float or array
-    """
+    """Larger of two numbers, or of two arrays element by element."""
     return max(x, y) if isinstance(x, float) and isinstance(y, float) else np.maximum(x, y)
 
 
 def smaller(x: Any, y: Any) -> Any:
-    """The smaller of two quantities.
-
-    Parameters
-    ----------
-    x, y : float or array
-        The two.
-
-    Returns
-    -------
-    float or array
-    """
+    """Smaller of two numbers, or of two arrays element by element."""
     return min(x, y) if isinstance(x, float) and isinstance(y, float) else np.minimum(x, y)
 
 
 def ascending(values: Sequence[Any]) -> list[Any]:
-    """Quantities in ascending order, design by design.
-
-    Parameters
-    ----------
-    values : sequence of float or array
-        The quantities.
-
-    Returns
-    -------
-    list of float or array
-        The smallest first.
-    """
+    """Quantities in ascending order; arrays are sorted design by design."""
     if all(isinstance(each, float) for each in values):
         return sorted(values)
     return [*np.sort(np.stack(np.broadcast_arrays(*values)), axis=0)]
 
 
 def where(condition: Any, x: Any, y: Any) -> Any:
-    """One quantity where a condition holds, another where not; both are computed.
-
-    Parameters
-    ----------
-    condition : bool or array of bool
-        The condition.
-    x, y : float or array
-        The two.
-
-    Returns
-    -------
-    float or array
-    """
+    """x where a condition holds, else y, of numbers or arrays; both are computed beforehand."""
     if isinstance(condition, bool):
         return x if condition else y
     return np.where(condition, x, y)
 
 
 def known_where(condition: Any, x: Any) -> Any:
-    """A quantity where it is known; elsewhere None of one design, NaN in arrays.
-
-    Parameters
-    ----------
-    condition : bool or array of bool
-        Where it is known.
-    x : float or array
-        The quantity.
-
-    Returns
-    -------
-    float, array or None
-    """
+    """x if the condition holds, else None for one design and NaN in arrays."""
     if isinstance(condition, bool):
         return x if condition else None
     return np.where(condition, x, np.nan)
 
 
 def every(condition: Any) -> bool:
-    """Whether a condition holds for all designs.
-
-    Parameters
-    ----------
-    condition : bool or array of bool
-        The condition.
-    """
+    """True if a condition holds for all designs."""
     return condition if isinstance(condition, bool) else bool(condition.all())
 
 
 def some(condition: Any) -> bool:
-    """Whether a condition holds for any design.
-
-    Parameters
-    ----------
-    condition : bool or array of bool
-        The condition.
-    """
+    """True if a condition holds for any design."""
     return condition if isinstance(condition, bool) else bool(condition.any())
 
 
 def check_positive(**values: Number) -> None:
-    """Refuse quantities that are not larger than 0.
-
-    Parameters
-    ----------
-    **values : float or array
-        Quantities by their names.
-
-    Raises
-    ------
-    InvalidInput
-        If one is; of an array the first such entry is named.
-    """
+    """Refuse quantities, given by name, not above 0; the first such entry of an array is named."""
     for name, value in values.items():
         allowed = value > 0
         if allowed is not True and not every(allowed):
@@ -171,18 +93,7 @@ def check_positive(**values: Number) -> None:
 
 
 def check_not_negative(**values: Number) -> None:
-    """Refuse quantities below 0.
-
-    Parameters
-    ----------
-    **values : float or array
-        Quantities by their names.
-
-    Raises
-    ------
-    InvalidInput
-        If one is; of an array the first such entry is named.
-    """
+    """Refuse quantities, given by name, below 0; the first such entry of an array is named."""
     for name, value in values.items():
         allowed = value >= 0
         if allowed is not True and not every(allowed):
@@ -190,20 +101,8 @@ def check_not_negative(**values: Number) -> None:
 
 
 def check_single(**values: Number | None) -> None:
-    """Refuse arrays where one design is searched or solved at a time.
+    """Refuse arrays, even of one number, for functions that solve one design at a time.
 
-    Parameters
-    ----------
-    **values : float or None
-        Quantities by their names.
-
-    Raises
-    ------
-    InvalidInput
-        If one is an array, even of one number.
-
-    Examples
-    --------
     >>> check_single(diameter=np.array([0.016, 0.017]))
     Traceback (most recent call last):
     core.errors.InvalidInput: diameter = array([0.016, 0.017]) must be one number, not an array
@@ -214,18 +113,7 @@ def check_single(**values: Number | None) -> None:
 
 
 def check_finite(**values: Number) -> None:
-    """Refuse quantities that are infinite or no number.
-
-    Parameters
-    ----------
-    **values : float or array
-        Quantities by their names.
-
-    Raises
-    ------
-    InvalidInput
-        If one is; of an array the first such entry is named.
-    """
+    """Refuse quantities, given by name, that are infinite or NaN; the first such entry is named."""
     for name, value in values.items():
         allowed = abs(value) < math.inf
         if allowed is not True and not every(allowed):
@@ -233,30 +121,15 @@ def check_finite(**values: Number) -> None:
 
 
 def _entry(value: Any, index: Any, like: Any) -> Any:
-    """Entry of an array that is as large as another, or what is no array."""
+    """Entry of an array that broadcasts to the shape of another; a number is its own entry."""
     return np.broadcast_to(value, np.shape(like))[index] if np.ndim(value) else value
 
 
 def refuse(name: str, value: Any, allowed: Any, code: str, **params: object) -> None:
-    """Refuse a quantity, or the first entry of an array that is not allowed.
+    """Raise `InvalidInput` for a quantity, or for the first entry of an array that is not allowed.
 
-    Parameters
-    ----------
-    name : str
-        Its name.
-    value : float or array
-        The quantity.
-    allowed : bool or array of bool
-        Where it is allowed.
-    code : str
-        What is wrong with it, see `core.codes.CODES`.
-    **params : object
-        What its text names; of an array the entry there.
-
-    Raises
-    ------
-    InvalidInput
-        Always.
+    `allowed` is False where the quantity is refused, `code` a key of `core.codes.CODES`; `params`
+    fill in the code's text, arrays among them with the refused entry.
     """
     if np.ndim(allowed):
         first = np.unravel_index(int(np.argmin(allowed)), np.shape(allowed))

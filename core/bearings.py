@@ -14,13 +14,13 @@ MAKERS = {
     "NTN": "NTN deep groove ball bearings",
     "ZEN": "ZEN standard catalogue, V.10/12",
 }
-"""Where ratings were read, by the maker."""
+"""Catalogue that the ratings of each maker were read in."""
 
 SUFFIXES = r"(ZZ|Z|2Z|RS|2RS|2RS1|2RSR|2RSH|DD|VV|DDU|LLU|LLB|OPEN)?"
-"""What makers put behind a name to say how a bearing is closed: it changes no rating here."""
+"""Suffixes of bearing names for shields and seals, which change no rating here."""
 
 NEAR, ALIKE = 5, 0.5
-"""How many names are offered in the place of an unknown one, and how much alike they are."""
+"""Most names offered in place of an unknown one, and their least similarity (difflib)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,35 +28,35 @@ class Ratings:
     """Load ratings of a bearing by one maker, N."""
 
     maker: str  # a key of `MAKERS`
-    shielded: bool  # whether they are of shielded ones only
+    shielded: bool  # True if the ratings hold for shielded bearings only
     dynamic_rating: float  # C
     static_rating: float  # C0
 
 
 @dataclass(frozen=True, slots=True)
 class NamedBearing:
-    """A bearing by its name."""
+    """Sizes and load ratings of a named bearing."""
 
-    name: str  # without what says how it is closed
+    name: str  # without the suffix of shields or seals
     kind: Literal["ball", "roller"]  # rolling elements
     bore_diameter: float  # d, m
     outer_diameter: float  # D, m
-    width: float  # B, m: of a shielded one; open ones may be narrower
-    makers: tuple[Ratings, ...]  # as each of them states it
+    width: float  # B of the shielded bearing, m; open ones may be narrower
+    makers: tuple[Ratings, ...]  # ratings of each maker
 
     @property
     def dynamic_rating(self) -> float:
-        """Lowest C of all makers, N."""
+        """Lowest dynamic load rating C of all makers, N."""
         return min(each.dynamic_rating for each in self.makers)
 
     @property
     def static_rating(self) -> float:
-        """Lowest C0 of all makers, N."""
+        """Lowest static load rating C0 of all makers, N."""
         return min(each.static_rating for each in self.makers)
 
 
 def _ball(name: str, bore: float, outer: float, width: float, rated: str) -> NamedBearing:
-    """A deep groove ball bearing, mm, with C and C0 by maker, N."""
+    """Deep groove ball bearing of sizes in mm; `rated` lists maker, C and C0 in N."""
     ratings = []
     for each in rated.split(", "):
         maker, dynamic, static = each.split()
@@ -158,24 +158,12 @@ BEARINGS: dict[str, NamedBearing] = {
         _ball("6806", 30, 42, 7, "NSK 4700 3650, Koyo 4550 3400, FBJ 4490 2900"),
     )
 }  # fmt: skip
-"""By name. Makers differ by up to a factor of two: the lowest ratings hold whoever made it."""
+"""Bearings by name. Ratings of makers differ by up to a factor of two; the lowest are safe."""
 
 
 def named_bearing(name: str) -> NamedBearing | None:
-    """A bearing by its name, with or without what says how it is closed.
+    """Bearing by its name, such as 686, 686ZZ or MR105-2RS; None if the table lacks it.
 
-    Parameters
-    ----------
-    name : str
-        As 686, 686ZZ, MR105-2RS.
-
-    Returns
-    -------
-    NamedBearing or None
-        None where the table has none of it.
-
-    Examples
-    --------
     >>> named_bearing("686-2rs").dynamic_rating
     830.0
     """
@@ -184,20 +172,8 @@ def named_bearing(name: str) -> NamedBearing | None:
 
 
 def names_like(name: str) -> list[str]:
-    """Names of the table that are like an unknown one.
+    """At most `NEAR` names of the table that resemble an unknown one, the most similar first.
 
-    Parameters
-    ----------
-    name : str
-        The name.
-
-    Returns
-    -------
-    list of str
-        At most `NEAR`, the most alike first.
-
-    Examples
-    --------
     >>> names_like("689")[:2]
     ['688', '687']
     """

@@ -1,6 +1,6 @@
-"""How far a calculation answers: what it refuses, by a code with parameters, whose words are in
-`core.codes`; what follows from a design, worked out when it is asked for, and kept, or why it is
-not known; and of a result how wrong it may be, and the limits that it strains.
+"""Refusals of calculations, results that may be unknown, and the stated error of results.
+
+Refusals and notices carry a code and parameters; the texts of the codes are in `core.codes`.
 """
 
 from collections.abc import Callable
@@ -19,7 +19,7 @@ PLACES = {
     "roller": "roller",
     "z": "position along the roller, z",
 }
-"""Names of what says where something cannot be, in English."""
+"""English names of the quantities that say where a mechanism is impossible."""
 
 
 class CalculationError(Exception):
@@ -27,18 +27,10 @@ class CalculationError(Exception):
 
 
 class InvalidInput(CalculationError):
-    """One parameter lies outside what the formula or the part allows.
+    """Refusal of one parameter that lies outside the range of a formula or a part.
 
-    Parameters
-    ----------
-    parameter : str
-        Name of the core parameter, a path where it sits in a list (``rollers[2].z_max``).
-    value : object
-        The value given, in SI units.
-    code : str
-        What is wrong with it: a key of `CODES`, or of whoever calls.
-    **params : object
-        What its text names.
+    `parameter` is a core name, or a path in a list (``rollers[2].z_max``); `value` is in SI units;
+    `code` is a key of `CODES` or a code of the caller; `params` fill in the code's text.
     """
 
     def __init__(self, parameter: str, value: object, code: str, **params: object) -> None:
@@ -51,18 +43,11 @@ class InvalidInput(CalculationError):
 
 
 class NotKnown(CalculationError):
-    """A result that a design does not have: too little of it is given, or it is too large.
+    """Refusal of a result, because too little of the design is given or a value is too large.
 
-    Parameters
-    ----------
-    code : str
-        Why, a key of `CODES`; that of the refusal, where there is one.
-    *missing : str
-        Core names of inputs that would have to be given.
-    refusal : InvalidInput, optional
-        What is wrong with a request that asks for this result, where nothing is missing.
-    **params : object
-        What its text names.
+    `code` is a key of `CODES`; `missing` are the core names of the inputs that have to be given;
+    `refusal`, of equal code, answers a request for a result that lacks no input; `params` fill in
+    the code's text.
     """
 
     def __init__(
@@ -76,19 +61,11 @@ class NotKnown(CalculationError):
 
 
 class ImpossibleMechanism(CalculationError):
-    """Every parameter is allowed, and yet the mechanism cannot exist or cannot work.
+    """Refusal of a mechanism that cannot exist or work although every parameter is in range.
 
-    Parameters
-    ----------
-    code : str
-        What cannot be, a key of `CODES`.
-    where : dict of str to float, optional
-        Position at which it happens: name of a core quantity, a key of `PLACES`, to its value in SI
-        units.
-    parameter : str
-        Name of the core parameter that would have to change, where it is one.
-    **params : object
-        What its text names besides.
+    `where` maps core quantities (keys of `PLACES`) to their values in SI units at which the
+    mechanism fails; `parameter` is the core name of the parameter to change, if there is a single
+    one; `params` fill in the code's text.
     """
 
     def __init__(
@@ -109,28 +86,8 @@ class ImpossibleMechanism(CalculationError):
 
 
 def required(value: Value | None, code: str, *missing: str) -> Value:
-    """A value that has to be given.
+    """Return a value, or raise `NotKnown` with the code and the missing core names if it is None.
 
-    Parameters
-    ----------
-    value : object or None
-        The value; None where it is not given.
-    code : str
-        Why nothing is known without it, a key of `CODES`.
-    *missing : str
-        Its core name; of several, those of all.
-
-    Returns
-    -------
-    object
-
-    Raises
-    ------
-    NotKnown
-        If it is not given.
-
-    Examples
-    --------
     >>> required(None, "speed_missing", "load.input_speed")
     Traceback (most recent call last):
     core.errors.NotKnown: speed_missing, load.input_speed
@@ -141,13 +98,11 @@ def required(value: Value | None, code: str, *missing: str) -> Value:
 
 
 UNKNOWN = (NotKnown, ImpossibleMechanism)
-"""Why something is not known of a design."""
+"""Exceptions that leave a result of a design unknown."""
 
 
 class derived(Generic[Value]):  # noqa: N801 - it is used as `property` is
-    """A property that is worked out once. A refusal is kept like a value: what cannot be solved is
-    not solved again for each that asks.
-    """
+    """A property that is calculated once; a refusal is kept like a value and raised again."""
 
     def __init__(self, calculate: Callable[[Any], Value]) -> None:
         self.calculate = calculate
@@ -165,7 +120,8 @@ class derived(Generic[Value]):  # noqa: N801 - it is used as `property` is
     def __get__(self, instance: object | None, owner: type) -> Self | Value:
         if instance is None:
             return self
-        kept: dict[str, Any] = instance.__dict__  # which is looked at before this is
+        # Python looks into the instance's __dict__ first: a kept value never comes here again.
+        kept: dict[str, Any] = instance.__dict__
         if self.refused in kept:
             raise kept[self.refused].with_traceback(None)
         try:
@@ -177,18 +133,7 @@ class derived(Generic[Value]):  # noqa: N801 - it is used as `property` is
 
 
 def if_known(calculate: Callable[[], Value]) -> Value | None:
-    """What is known, or None.
-
-    Parameters
-    ----------
-    calculate : callable
-        What works it out.
-
-    Returns
-    -------
-    object or None
-        Its result; None where that is not known.
-    """
+    """Result of a calculation, or None if it raises one of `UNKNOWN`."""
     try:
         return calculate()
     except UNKNOWN:
@@ -196,17 +141,7 @@ def if_known(calculate: Callable[[], Value]) -> Value | None:
 
 
 def is_known(calculate: Callable[[], object]) -> bool:
-    """Whether something is known.
-
-    Parameters
-    ----------
-    calculate : callable
-        What works it out.
-
-    Returns
-    -------
-    bool
-    """
+    """True if a calculation raises none of `UNKNOWN`."""
     try:
         calculate()
     except UNKNOWN:
@@ -267,47 +202,35 @@ METHODS = {
 
 
 class Accuracy(NamedTuple):
-    """How a number was got, how wrong it may be, and what it took.
+    """Method, relative error and effort of a result.
 
-    Of all numbers of the result that carries it, where that says nothing else.
+    An `Accuracy` covers all numbers of the result that carries it, unless its field says otherwise.
     """
 
-    method: str  # how, a key of `METHODS`
-    # Bound or honest estimate of the relative error against the exact value for the input as given:
+    method: str  # a key of `METHODS`
+    # Bound or estimate of the relative error against the exact value for the input as given:
     # rounding, truncation and the input's own condition together; a float, or an array of designs.
     relative_error: Any
-    evaluations: int  # how often the function behind the method was evaluated; 1 for a formula
+    evaluations: int  # evaluations of the function behind the method; 1 for a formula
 
 
 @dataclass(frozen=True)
 class Notice:
-    """A limit of validity that the result strains; the number is given all the same."""
+    """A limit of validity that a result exceeds; the number is given all the same."""
 
-    code: str  # of the limit, a key of `core.codes.CODES`
-    # What its text names: dimensionless numbers, and names of core parameters.
+    code: str  # a key of `core.codes.CODES`
+    # Values that the code's text names: dimensionless numbers and names of core parameters.
     params: dict[str, Any] = field(default_factory=dict)
 
     @property
     def detail(self) -> str:
-        """What is strained and what it means, in English, with the core's names."""
+        """Text of the notice in English, with the core's names."""
         return CODES[self.code].text.format(**self.params)
 
 
 def poorly_known(accuracy: Accuracy) -> tuple[Notice, ...]:
-    """Notice that hardly anything is known of a result, where its stated error says so.
+    """Notice that hardly anything is known of a result of one design, if its error is above 1 %.
 
-    Parameters
-    ----------
-    accuracy : Accuracy
-        Of one design.
-
-    Returns
-    -------
-    tuple of Notice
-        One, or none.
-
-    Examples
-    --------
     >>> poorly_known(Accuracy("closed_form", 1e-15, 1))
     ()
     >>> [notice.code for notice in poorly_known(Accuracy("closed_form", 0.5, 1))]

@@ -1,7 +1,7 @@
-"""Fatigue of a steel part: endurance limit by named factors, safety by a criterion, finite life.
+"""Fatigue of a steel part: endurance limit by factors, safety by a criterion, finite life.
 
-Shigley's Mechanical Engineering Design; where the editions differ, the edition is named. The rule
-of the endurance limit is one of steels: for what is no steel the limit has to be given.
+Source: Shigley's Mechanical Engineering Design; the edition is named where editions differ. The
+rule of the endurance limit holds for steels; other materials need a given limit.
 """
 
 import math
@@ -29,47 +29,33 @@ SURFACES: dict[str, dict[str, tuple[float, float]]] = {
         "forged": (54.9, -0.758),
     },
 }
-"""a and b of the surface factor ``a*Rm^b``, Rm in MPa, by edition; cold-drawn is as machined."""
+"""Constants a and b of the surface factor ``a*Rm^b``, Rm in MPa, by edition; cold-drawn surfaces
+count as machined."""
 
 RELIABILITIES = {50.0: 1.0, 90.0: 0.897, 95.0: 0.868, 99.0: 0.814, 99.9: 0.753, 99.99: 0.702}
-"""Reliability in percent to its factor (Shigley, 9th edition, table 6-5)."""
+"""Factor ke by reliability in percent (Shigley, 9th edition, table 6-5)."""
 
 LOW_CYCLES = 1e3
-"""Cycles from which on the line of finite life holds."""
+"""Cycles at which the line of finite life begins."""
 
 ENDURING = 1e6
-"""Cycles at which it ends, at the endurance limit."""
+"""Cycles at which the line of finite life ends, at the endurance limit."""
 
 KPSI = 6.894757293168361e6
-"""1000 pounds a square inch, Pa."""
+"""1000 pounds per square inch, Pa."""
 
 NOTCH_STRENGTHS = 340.0, 1700.0
-"""Tensile strengths that the notch's fit is made for, MPa."""
+"""Range of tensile strength of the fit of the notch factor, MPa."""
 
 SIZES = 2.79, 254.0
-"""Diameters that the factor of the size is stated for, mm."""
+"""Range of diameters of the size factor, mm."""
 
 LINE_STRENGTHS = 70 * KPSI / 1e6, 200 * KPSI / 1e6
-"""Tensile strengths that the fit of the line of finite life is made for, MPa."""
+"""Range of tensile strength of the fit of the line of finite life, MPa."""
 
 
 def beyond_range(*, code: str, value: float, ends: tuple[float, float]) -> tuple[Notice, ...]:
-    """Notice of a value outside the range of a formula.
-
-    Parameters
-    ----------
-    code : str
-        Of the notice.
-    value : float
-        The value.
-    ends : tuple of float
-        Ends of the range, in the same unit.
-
-    Returns
-    -------
-    tuple of Notice
-        One, or none.
-    """
+    """Notice of a value outside the range `ends` of a formula; empty inside the range."""
     low, high = ends
     if low <= value <= high:
         return ()
@@ -78,7 +64,7 @@ def beyond_range(*, code: str, value: float, ends: tuple[float, float]) -> tuple
 
 @dataclass(frozen=True, slots=True)
 class EnduranceFactors:
-    """What makes the endurance limit of a part out of that of a polished specimen."""
+    """Factors between the endurance limit of a part and that of a polished specimen."""
 
     surface: Number  # ka, <= 1
     size: Number  # kb, <= 1
@@ -87,35 +73,19 @@ class EnduranceFactors:
 
     @property
     def product(self) -> Number:
-        """All of them together: ``ka*kb*ke/Kf``."""
+        """Product of the factors, ``ka*kb*ke/Kf``."""
         return self.surface * self.size * self.reliability / self.notch
 
 
 def surface_factor(
     *, tensile_strength: Number, surface: Surface, edition: Edition = "shigley_11"
 ) -> Number:
-    """Factor ka of the surface: ``a*Rm^b``, at most 1.
+    """Surface factor ka of the endurance limit: ``a*Rm^b``, at most 1, tensile strength Rm in Pa.
 
-    Parameters
-    ----------
-    tensile_strength : float or array
-        Tensile strength Rm, Pa, > 0.
-    surface : {"ground", "machined", "hot_rolled", "forged"}
-        How the surface was made.
-    edition : {"shigley_9", "shigley_11"}
-        Whose constants; those of the 11th are 4 to 10 % lower for machined surfaces, higher for
-        forged and mostly for hot-rolled ones.
-
-    Returns
-    -------
-    float or array
-
-    Notes
-    -----
+    Factors of the 11th edition are 4 to 10 % lower for machined surfaces than those of the 9th, and
+    higher for forged and mostly for hot-rolled ones.
     Source: Shigley, eq. (6-19) of the 9th, (6-18) of the 11th edition.
 
-    Examples
-    --------
     >>> round(surface_factor(tensile_strength=690e6, surface="machined", edition="shigley_9"), 6)
     0.797777
     """
@@ -125,24 +95,12 @@ def surface_factor(
 
 
 def size_factor(*, diameter: Number) -> Number:
-    """Factor kb of a round section in bending: ``1.24*d^-0.107`` to 51 mm, then ``1.51*d^-0.157``.
+    """Size factor kb of a round section in bending, at most 1; diameter d in m, within `SIZES`.
 
-    Parameters
-    ----------
-    diameter : float or array
-        Diameter d, m, > 0; in full, as the bending of a pin turns round it.
-
-    Returns
-    -------
-    float or array
-        At most 1; stated for `SIZES`.
-
-    Notes
-    -----
+    ``1.24*d^-0.107`` to 51 mm, then ``1.51*d^-0.157``, d in mm; the whole diameter counts, as the
+    bending of a pin turns around it.
     Source: Shigley, eq. (6-20) of the 9th edition.
 
-    Examples
-    --------
     >>> round(size_factor(diameter=0.032), 6)
     0.855797
     """
@@ -153,22 +111,7 @@ def size_factor(*, diameter: Number) -> Number:
 
 
 def reliability_factor(*, percent: float) -> float:
-    """Factor ke of the reliability.
-
-    Parameters
-    ----------
-    percent : float
-        One of 50, 90, 95, 99, 99.9 and 99.99.
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    InvalidInput
-        If the table has no such reliability.
-    """
+    """Reliability factor ke; `InvalidInput` for a percentage that is not in `RELIABILITIES`."""
     if percent not in RELIABILITIES:
         raise InvalidInput("reliability_percent", percent, "not_in_table", values=[*RELIABILITIES])
     return RELIABILITIES[percent]
@@ -178,23 +121,16 @@ def notch_factor(*, theoretical_factor: Number, radius: Number, tensile_strength
     """Fatigue notch factor ``Kf = 1 + (Kt - 1)/(1 + sqrt(a/r))`` (Neuber) of steel in bending.
 
     ``sqrt(a) = 1.24 - 2.25e-3*Rm + 1.60e-6*Rm^2 - 4.11e-10*Rm^3``, sqrt(mm), Rm in MPa.
+    Source: Shigley, eqs. (6-33), (6-35) of the 11th edition.
 
     Parameters
     ----------
     theoretical_factor : float or array
         Factor Kt of the elastic stress, >= 1.
     radius : float or array
-        Radius r of the notch, m, > 0.
+        Radius r of the notch, m.
     tensile_strength : float or array
-        Tensile strength Rm, Pa; held to `NOTCH_STRENGTHS`.
-
-    Returns
-    -------
-    float or array
-
-    Notes
-    -----
-    Source: Shigley, eqs. (6-33), (6-35) of the 11th edition.
+        Tensile strength Rm, Pa; clipped to `NOTCH_STRENGTHS`.
 
     Examples
     --------
@@ -210,26 +146,10 @@ def notch_factor(*, theoretical_factor: Number, radius: Number, tensile_strength
 
 
 def endurance_limit(*, tensile_strength: Number, factors: EnduranceFactors) -> Number:
-    """Endurance limit ``Se = ka*kb*ke*Se'/Kf`` of a steel part, ``Se' = 0.5*Rm``, at most 700 MPa.
+    """Endurance limit ``Se = ka*kb*ke*Se'/Kf`` of a steel part, Pa.
 
-    Parameters
-    ----------
-    tensile_strength : float or array
-        Tensile strength Rm, Pa.
-    factors : EnduranceFactors
-        Surface, size, reliability, notch.
+    ``Se' = 0.5*Rm``, at most 700 MPa. Source: Shigley, eqs. (6-8), (6-18) of the 9th edition.
 
-    Returns
-    -------
-    float or array
-        Pa.
-
-    Notes
-    -----
-    Source: Shigley, eqs. (6-8), (6-18) of the 9th edition.
-
-    Examples
-    --------
     >>> factors = EnduranceFactors(surface=0.797777, size=0.855797, reliability=1.0, notch=1.0)
     >>> round(endurance_limit(tensile_strength=690e6, factors=factors)/1e6, 3)
     235.544
@@ -246,41 +166,18 @@ def utilisation(
     yield_strength: Number | None = None,
     criterion: Criterion = "goodman",
 ) -> Number:
-    """Share of the fatigue strength that a stress cycle takes: 1/n of the safety factor n.
+    """Utilisation 1/n of the fatigue strength by a stress cycle, with the safety factor n.
 
-    * goodman: ``sa/Se + max(sm, 0)/Rm``
-    * gerber: ``n*sa/Se + (n*sm/Rm)^2 = 1``, sm > 0
-    * soderberg: ``sa/Se + max(sm, 0)/Re``
-    * fkm_haigh: ``(sa + M*sm)/Se`` to a stress ratio of 0, with ``M = 0.35e-3*Rm - 0.1`` (MPa) of
-      steel; a third of its slope from there to 0.5, then level; and so below minus infinity
+    The criteria for amplitude sa, mean sm, endurance limit Se, Rm and Re are: "goodman"
+    ``sa/Se + max(sm, 0)/Rm``; "gerber" ``n*sa/Se + (n*sm/Rm)^2 = 1``, sm > 0; "soderberg"
+    ``sa/Se + max(sm, 0)/Re``, which needs Re; "fkm_haigh" ``(sa + M*sm)/Se`` up to a stress ratio
+    of 0, with ``M = 0.35e-3*Rm - 0.1`` (Rm in MPa) of steel, a third of the slope from there to
+    0.5, then constant, and constant if both stresses are compressive. A utilisation never falls if
+    the largest stress rises or the least one falls, so that both stresses suffice to find the worst
+    direction. Sources: Shigley, eqs. (6-40), (6-45) to (6-47) of the 9th edition; FKM guideline,
+    2.4.2.
 
-    Parameters
-    ----------
-    amplitude, mean : float or array
-        Amplitude sa >= 0 and mean sm of the stress, Pa.
-    endurance : float or array
-        Endurance limit Se, Pa.
-    tensile_strength : float or array
-        Tensile strength Rm, Pa.
-    yield_strength : float or array, optional
-        Yield strength Re, Pa, for Soderberg.
-    criterion : {"goodman", "gerber", "soderberg", "fkm_haigh"}
-        How the mean counts.
-
-    Returns
-    -------
-    float or array
-
-    Notes
-    -----
-    Sources: Shigley, eqs. (6-40), (6-45) to (6-47) of the 9th edition; FKM guideline, 2.4.2.
-
-    It never falls where the largest stress rises or the least one falls, so that the worst
-    direction is found from these two.
-
-    Examples
-    --------
-    Shigley, example 6-10 (kpsi): 3.66.
+    Shigley, example 6-10 (kpsi), has 3.66 by Gerber.
 
     >>> cycle = {"amplitude": 8.38, "mean": 8.38, "endurance": 33.9, "tensile_strength": 100.0}
     >>> [round(1/utilisation(**cycle, criterion=each), 4) for each in ("gerber", "goodman")]
@@ -306,24 +203,10 @@ def utilisation(
 def strength_fraction(*, tensile_strength: float) -> float:
     """Share f of the tensile strength that steel stands for 1000 cycles.
 
-    ``f = 1.06 - 2.8e-3*S + 6.9e-6*S^2`` of the strength S in kpsi, held to 70 to 200, which is
-    `LINE_STRENGTHS`.
-
-    Parameters
-    ----------
-    tensile_strength : float
-        Tensile strength Rm, Pa.
-
-    Returns
-    -------
-    float
-
-    Notes
-    -----
+    ``f = 1.06 - 2.8e-3*S + 6.9e-6*S^2`` with the strength S in kpsi, clipped to 70 to 200
+    (`LINE_STRENGTHS`).
     Source: Shigley, eq. (6-11) of the 11th edition, a fit of the curve in earlier ones.
 
-    Examples
-    --------
     >>> round(strength_fraction(tensile_strength=120*6.894757e6), 3)
     0.823
     """
@@ -339,34 +222,12 @@ def cycles_to_failure(
     tensile_strength: float,
     fraction: float,
 ) -> float:
-    """Cycles that a steel part stands: ``(sigma_rev/a)^(1/B)``.
+    """Cycles to failure of a steel part: ``(sigma_rev/a)^(1/B)`` with f of `strength_fraction`.
 
-    ``a = (f*Rm)^2/Se``, ``B = -log10(f*Rm/Se)/3``, ``sigma_rev = sa/(1 - max(sm, 0)/Rm)``.
-
-    Parameters
-    ----------
-    amplitude, mean : float
-        Amplitude sa and mean sm of the stress, Pa.
-    endurance : float
-        Endurance limit Se, Pa.
-    tensile_strength : float
-        Tensile strength Rm, Pa.
-    fraction : float
-        f, see `strength_fraction`.
-
-    Returns
-    -------
-    float
-        Infinite up to the endurance limit; 0 where the mean alone breaks the part, or where the
-        limit is no limit (``Se >= f*Rm``) and is passed. Below `LOW_CYCLES` the line does not hold.
-
-    Notes
-    -----
-    Source: Shigley, eqs. (6-13) to (6-16) of the 9th edition.
-
-    Examples
-    --------
-    Shigley, 11th edition, example 6-3 (kpsi): 117 000 by rounded numbers.
+    ``a = (f*Rm)^2/Se``, ``B = -log10(f*Rm/Se)/3``, ``sigma_rev = sa/(1 - max(sm, 0)/Rm)``. Infinite
+    up to the endurance limit; 0 if the mean alone breaks the part, or if ``Se >= f*Rm`` and Se is
+    exceeded. The line does not hold below `LOW_CYCLES`. Source: Shigley, eqs. (6-13) to (6-16) of
+    the 9th edition; example 6-3 of the 11th (kpsi) has 117 000 with rounded numbers.
 
     >>> round(cycles_to_failure(amplitude=70.0, mean=0.0, endurance=60.0,
     ...                         tensile_strength=120.0, fraction=0.82))
@@ -381,7 +242,7 @@ def cycles_to_failure(
     short = fraction * tensile_strength
     if short <= endurance:
         return 0.0
-    # N = 10^6*(sigma/Se)^(1/B), the same line
+    # N = 10^6*(sigma/Se)^(1/B) is another form of the line
     power = -3 / math.log10(short / endurance)
     exponent = 6 + power * math.log10(reversed_stress / endurance)
     return float(10.0**exponent)
@@ -394,32 +255,9 @@ def finite_strength(
     cycles: float,
     fraction: float,
 ) -> float:
-    """Reversed stress that a steel part stands for so many cycles: ``a*N^B``.
-
-    Parameters
-    ----------
-    endurance : float
-        Endurance limit Se, Pa.
-    tensile_strength : float
-        Tensile strength Rm, Pa.
-    cycles : float
-        Cycles N, > 0; fewer than `LOW_CYCLES` count as these.
-    fraction : float
-        f, see `strength_fraction`.
-
-    Returns
-    -------
-    float
-        Pa: ``f*Rm`` at a thousand cycles, the endurance limit from a million on, and where it is
-        not below ``f*Rm``.
-
-    Notes
-    -----
-    Source: as `cycles_to_failure`, whose line it is.
-
-    Examples
-    --------
-    Shigley, 11th edition, example 6-3 (kpsi), the other way round.
+    """Reversed stress that a steel part stands for a number of cycles, Pa: ``a*N^B``.
+    The line is that of `cycles_to_failure`: ``f*Rm`` up to 1000 cycles, Se from a million on or if
+    ``Se >= f*Rm``.
 
     >>> round(finite_strength(endurance=60.0, tensile_strength=120.0, cycles=116193,
     ...                       fraction=0.82), 3)
@@ -434,15 +272,15 @@ def finite_strength(
 
 @dataclass(frozen=True, slots=True)
 class FatigueStrength:
-    """What the fatigue of a part is judged by."""
+    """Fatigue strength of a part and the criterion by which cycles are judged."""
 
     endurance_limit: float  # Se, Pa
     tensile_strength: float  # Rm, Pa
     yield_strength: float | None = None  # Re, Pa
-    criterion: Criterion = "goodman"  # how the mean stress counts
-    factors: EnduranceFactors | None = None  # what the limit was made of; None where given
-    cycles: float = math.inf  # that the part has to stand
-    notices: tuple[Notice, ...] = ()  # ranges of formulas that the limit is outside of
+    criterion: Criterion = "goodman"
+    factors: EnduranceFactors | None = None  # factors of the limit; None where the limit is given
+    cycles: float = math.inf  # cycles that the part has to stand
+    notices: tuple[Notice, ...] = ()  # formulas of the limit used outside their ranges
 
     def __post_init__(self) -> None:
         for name in ("endurance_limit", "tensile_strength"):
@@ -453,7 +291,7 @@ class FatigueStrength:
 
     @property
     def line(self) -> dict[str, float]:
-        """What its line of life goes through, as arguments of `cycles_to_failure`."""
+        """Arguments of `cycles_to_failure` that fix the line of finite life."""
         tensile = self.tensile_strength
         fraction = strength_fraction(tensile_strength=tensile)
         ends = {"endurance": self.endurance_limit, "fraction": fraction}
@@ -461,11 +299,11 @@ class FatigueStrength:
 
     @property
     def lasting(self) -> float:
-        """Strength for the cycles it has to stand, Pa: at least the endurance limit."""
+        """Strength for the required cycles, Pa: at least the endurance limit."""
         return finite_strength(cycles=self.cycles, **self.line)
 
     def utilisation(self, amplitude: Number, mean: Number) -> Number:
-        """Share of the strength that a cycle takes."""
+        """Utilisation of the strength by a cycle of amplitude and mean, Pa."""
         return utilisation(
             amplitude=amplitude,
             mean=mean,
@@ -478,38 +316,25 @@ class FatigueStrength:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CycleFatigue:
-    """A stress cycle of a part, and how it is judged."""
+    """Fatigue of a part under one stress cycle."""
 
     max_stress: float  # Pa
     min_stress: float  # Pa
     amplitude: float  # Pa
     mean: float  # Pa
     endurance_limit: float  # Se, Pa
-    finite_strength: float | None  # for the cycles that it has to stand, Pa, where it is `short`
-    factors: EnduranceFactors | None  # what the limit was made of
+    finite_strength: float | None  # strength for the required cycles, Pa, where `short`
+    factors: EnduranceFactors | None  # factors of the endurance limit
     safety_factor: float  # by the criterion: all stresses may grow by this factor
-    cycles: float | None  # that it stands; None, within the endurance limit: however many
-    notices: tuple[Notice, ...] = ()  # ranges of formulas that it is outside of
-    short: bool = False  # whether it has to stand so few cycles that its strength is above Se
+    cycles: float | None  # cycles to failure; None if unlimited
+    notices: tuple[Notice, ...] = ()  # formulas used outside their ranges
+    short: bool = False  # True if the required cycles are so few that the strength is above Se
 
 
 def judge_cycle(*, strength: FatigueStrength, largest: float, least: float) -> CycleFatigue:
-    """The fatigue of a cycle of stress.
+    """Fatigue of a part under a stress cycle from `least` to `largest`, Pa, which must differ.
 
-    Parameters
-    ----------
-    strength : FatigueStrength
-        What it is judged by.
-    largest, least : float
-        Ends of the cycle, Pa, not equal.
-
-    Returns
-    -------
-    CycleFatigue
-
-    Examples
-    --------
-    From nothing to 300 MPa, an endurance limit of 300 MPa, a strength of 1000 MPa, by Goodman.
+    A cycle from 0 to 300 MPa by Goodman:
 
     >>> strength = FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6)
     >>> round(judge_cycle(strength=strength, largest=300e6, least=0.0).safety_factor, 6)
@@ -519,7 +344,7 @@ def judge_cycle(*, strength: FatigueStrength, largest: float, least: float) -> C
     cycles = cycles_to_failure(amplitude=amplitude, mean=mean, **strength.line)
     short = strength.lasting > strength.endurance_limit
     notices = strength.notices
-    if short or cycles < math.inf:  # the line counts
+    if short or cycles < math.inf:  # the line of finite life is used
         tensile = strength.tensile_strength / 1e6
         notices += beyond_range(code="life_beyond_strength", value=tensile, ends=LINE_STRENGTHS)
     return CycleFatigue(

@@ -1,12 +1,10 @@
-"""Elastic bodies in line contact: their materials and what two of them make together; Hertz's
-pressure of a pin in its hole against its limits, and the conformal one where Hertz fails; by which
-pressure a sliding contact first yields, and shakes down.
+"""Line contact of pin and hole: elastic materials, pressure against its limits, first yield.
 
-Hertz replaces both bodies by half-planes, which asks for a contact much narrower than the pin.
-A pin in a hole only a little larger is nearly conformal: the contact wraps around the pin, and
-`core.conformal` takes over. Hertz's pressure and its friction ``q = mu*p`` stress a half-plane in
-plane strain. Without friction it yields first below the surface; from a friction of some 0.3 on at
-the surface, under less.
+Hertz replaces both bodies by half-planes and so needs a contact much narrower than the pin. A pin
+in a hole that is only a little larger is nearly conformal, the contact wraps around the pin, and
+`core.conformal` takes over. First yield and shakedown are those of a half-plane in plane strain
+under Hertz's pressure p and the friction ``q = mu*p``: without friction the half-plane yields first
+below the surface, from mu of about 0.3 on at the surface and under a lower pressure.
 """
 
 import math
@@ -44,9 +42,9 @@ from core.numerics.inverse import edge
 from core.precision import ROUNDING
 
 Criterion = Literal["endurance", "endurance_mean", "static", "given"]
-"""What a limit of the contact pressure guards against: pitting in the long run (judged by the mean
-pressure of a mesh: then the largest one is on the safe side), a permanent set under a load at rest,
-or what whoever gave it has in mind."""
+"""Criterion of a limit of the contact pressure: "endurance" is pitting in the long run,
+"endurance_mean" judges pitting by the mean pressure of a mesh (the largest pressure is then on the
+safe side), "static" is a permanent set under a load at rest, "given" is a value of the user."""
 
 CRITERIA: dict[Criterion, str] = {
     "endurance": "endurance",
@@ -54,26 +52,26 @@ CRITERIA: dict[Criterion, str] = {
     "static": "static",
     "given": "given",
 }
-"""The same in English."""
+"""English words of the criteria."""
 
 Verified = Literal["standard", "secondary"]
-"""Whether a value was read in its standard, or in two independent secondary sources."""
+"""Origin of a value: read in its standard, or in two independent secondary sources."""
 
 VERIFIED: dict[Verified, str] = {
     "standard": "standard",
     "secondary": "secondary sources",
 }
-"""The same in English."""
+"""English words of the origins."""
 
 FIRST_YIELD = 1.79
 """Largest pressure at first yield without friction over the yield strength (v = 0.3), below which
-parts that press go together elastically; that of each material is `first_yield`."""
+parts pressed together stay elastic; `first_yield` has the value of each material."""
 
 Body = Literal["pin", "hole"]
-"""The two bodies of a contact; the hole is that of the satellite."""
+"""Bodies of a contact; the hole is in the satellite."""
 
 Layers = Literal["flat", "upright"]
-"""How the layers of a printed part lie: across the axis of the pins, or along it."""
+"""Direction of the layers of a printed part: across the axis of the pins (flat) or along it."""
 
 LIMIT_SOURCES = {
     "iso_14521": "ISO/TR 14521 (DIN 3996), worm wheel materials: pitting against hardened steel, "
@@ -89,18 +87,18 @@ LIMIT_SOURCES = {
     "in Autodesk Inventor and MITCalc",
     "iso_76": "ISO 76:2006, 3.3, roller bearings: permanent set of 1e-4*D",
 }
-"""Where limits of the contact pressure come from, in English, by code."""
+"""Sources of limits of the contact pressure in English, by code."""
 
 LIMITS_VERIFIED: dict[str, Verified] = {"iso_76": "standard"}
-"""Sources of limits that were read in the standard itself; of the others two secondary ones."""
+"""Sources of limits read in the standard itself; the others were read in two secondary sources."""
 
 
 class LimitLife(NamedTuple):
-    """How a limit of the contact pressure falls over the life."""
+    """Life curve of a limit, with its factor at the number of loads."""
 
-    curve: LifeCurve  # whose curve
-    loads: float  # over the life
-    factor: float  # Z_NT of so many loads
+    curve: LifeCurve  # curve of the material
+    loads: float  # number of loads over the life
+    factor: float  # Z_NT at that number
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,14 +108,12 @@ class ContactLimit:
     criterion: Criterion
     pressure: Number  # the limit, Pa, > 0; NaN in an array where none is known
     source: str = ""  # a key of `LIMIT_SOURCES`; empty where it is given
-    curve: LifeCurve | None = None  # how it falls with the number of loads; None where not known
-    loads: float | None = None  # over the life that it is wanted for; infinite where not known
+    curve: LifeCurve | None = None  # life curve; None where not known
+    loads: float | None = None  # over the required life; infinite where not known
 
     @property
     def life(self) -> LimitLife:
-        """How it falls over the life, by `MOST_LOADS` where nobody knows how many they are;
-        `NotKnown` without its curve or a life.
-        """
+        """Life at `loads`, or at `MOST_LOADS` if infinite; `NotKnown` without curve or loads."""
         curve: LifeCurve = required(self.curve, "no_life_curve")
         wanted: float = required(self.loads, "life_without_speed", "load.input_speed")
         loads = wanted if math.isfinite(wanted) else MOST_LOADS
@@ -125,70 +121,70 @@ class ContactLimit:
 
     @property
     def life_factor(self) -> float | None:
-        """Factor Z_NT of the loads over the life; None where no life is wanted, no curve known."""
+        """Life factor Z_NT at the number of loads; None without a life or a curve."""
         return if_known(lambda: self.life.factor)
 
     @property
     def allowable(self) -> Number:
-        """The limit over the life, Pa: as it stands where no life factor is known."""
+        """Limit times its life factor, Pa; the limit itself where no factor is known."""
         if self.loads is None:
             return self.pressure
         return self.pressure * (self.life_factor or 1.0)
 
     @property
     def verified(self) -> Verified | None:
-        """How its source was seen; None where the limit is given."""
+        """Origin of the limit; None where the limit is given."""
         return LIMITS_VERIFIED.get(self.source, "secondary") if self.source else None
 
 
 class Spread(NamedTuple):
-    """A value of a material whose sources differ, or that is given."""
+    """Usual, least and largest value of a material property."""
 
-    usual: float  # what is shown where it is not given
+    usual: float  # value that is shown where none is given
     low: float  # the least
     high: float  # the largest
 
     @classmethod
     def of(cls, value: float) -> Self:
-        """One that is given."""
+        """Spread of a single value that is given."""
         return cls(value, value, value)
 
 
 STRONGEST, STRONGEST_FILLED, FILLED = 97e6, 190e6, 5e9
-"""Largest strength that a source gives of a thermoplastic, Pa: of PEEK (Victrex 450G), and of one
-with fibres (PA66 with 30 % glass, dry: Academic Press Encyclopedia), stiffer than the third.
-"""
+"""Largest strength that a source gives of a thermoplastic, Pa: PEEK (Victrex 450G); with fibres:
+PA66 with 30 % glass, dry (Academic Press Encyclopedia); and the modulus, Pa, above which a
+plastic counts as one with fibres."""
 
 
 @dataclass(frozen=True, slots=True)
 class Plastic:
-    """What a plastic is judged by, as far as it is known: it creeps, and has no shakedown."""
+    """Properties of a plastic as far as they are known; a plastic creeps and has no shakedown."""
 
-    layered: bool = True  # whether it may be printed in layers, across which it is weaker
-    layers: Layers | None = None  # how they lie, where that is said
-    strength_across: float | None = None  # strength across them, Pa
-    friction: Spread | None = None  # friction coefficient of what slides on it
-    softening: Spread | None = None  # temperature at which it goes soft, degrees Celsius
-    long_term_factor: float | None = None  # strength in the long run over that of a short test
+    layered: bool = True  # True if it may be printed in layers, across which it is weaker
+    layers: Layers | None = None  # direction of the layers, where given
+    strength_across: float | None = None  # strength across the layers, Pa
+    friction: Spread | None = None  # friction coefficient of a part that slides on it
+    softening: Spread | None = None  # temperature at which it softens, degrees Celsius
+    long_term_factor: float | None = None  # long-term strength over that of a short test
 
 
 @dataclass(frozen=True, slots=True)
 class ElasticMaterial:
-    """Isotropic elastic material, of one body or of an array of them; None is not known."""
+    """Isotropic elastic material of one body or of an array of bodies; None is an unknown value."""
 
     youngs_modulus: Number  # E, Pa, > 0
     poissons_ratio: Number  # v, 0 <= v < 0.5
-    limit: ContactLimit | None = None  # what its contact pressure is judged by, where known
+    limit: ContactLimit | None = None  # limit of its contact pressure, where known
     yield_strength: float | None = None  # Re, Pa
-    # Whether yield below the surface says anything: not of hardened surfaces, whose core it is the
-    # strength of, nor of bronzes, whose tested limits lie above it.
+    # True if yield below the surface is judged: not for hardened surfaces, as the strength is that
+    # of their core, nor for bronzes, as their tested limits lie above first yield.
     yield_governs: bool = True
-    # Contact pressure under a load at rest up to which nothing is set for good, Pa.
+    # Contact pressure without permanent set under a load at rest, Pa.
     static_pressure: float | None = None
     # Least modulus, Pa, where sources differ: then E is the largest one, for pressures and forces.
     least_modulus: float | None = None
-    plastic: Plastic | None = None  # None of metals
-    strengths: Spread | None = None  # of a plastic whose sources differ, Pa: Re is the least
+    plastic: Plastic | None = None  # None for metals
+    strengths: Spread | None = None  # if sources of a plastic differ, Pa; Re is the least
 
     def __post_init__(self) -> None:
         check_positive(youngs_modulus=self.youngs_modulus)
@@ -197,20 +193,20 @@ class ElasticMaterial:
             check_positive(yield_strength=self.yield_strength)
 
     def lasting(self, loads: float) -> Self:
-        """The material, its limit wanted for so many loads."""
+        """Copy of the material with its limit asked for a number of loads over the life."""
         if self.limit is None:
             return self
         return replace(self, limit=replace(self.limit, loads=loads))
 
     @property
     def known_limit(self) -> ContactLimit:
-        """What its contact pressure is judged by."""
+        """Limit of the contact pressure; `NotKnown` without one."""
         return required(self.limit, "limit_unknown")
 
     @property
     def elastic_pressure(self) -> float:
-        """Contact pressure up to which nothing is set for good, Pa: the static limit, else first
-        yield below the surface; not known of plastics, of which the least strength is no proof.
+        """Contact pressure at rest without permanent set, Pa: the static limit, else first yield
+        below the surface. A plastic needs its static limit, as its least strength proves nothing.
         """
         if self.plastic or self.static_pressure is not None:
             return required(self.static_pressure, "plastic_rules")
@@ -218,14 +214,14 @@ class ElasticMaterial:
 
     @property
     def softest(self) -> Self:
-        """The material with its least modulus, by which deflections are judged."""
+        """Material with its least modulus, for deflections."""
         if self.least_modulus is None:
             return self
         return replace(self, youngs_modulus=self.least_modulus, least_modulus=None)
 
     def loaded_strength(self, body: Body) -> float | None:
-        """The strength in the direction in which a body is loaded, Pa: of a printed pin across its
-        layers, where these are not said to lie otherwise; None where it is not known.
+        """Strength in the loaded direction, Pa, or None if unknown; a printed pin is loaded across
+        its layers and a printed hole along them, unless `plastic.layers` says otherwise.
         """
         if self.plastic is None or not self.plastic.layered:
             return self.yield_strength
@@ -235,26 +231,15 @@ class ElasticMaterial:
 
     @property
     def most_strength(self) -> float:
-        """A strength that a plastic does not exceed in any direction, Pa: where none is known the
-        largest of its kind.
-        """
+        """Upper bound of a plastic's strength, Pa; by the strongest of its kind if unknown."""
         if self.strengths is not None:
             return self.strengths.high
         filled = float(self.youngs_modulus) > FILLED
         return self.yield_strength or (STRONGEST_FILLED if filled else STRONGEST)
 
     def most_pressure(self, friction: float | None) -> float:
-        """A pressure at which a plastic yields for certain, Pa: that of shakedown where nothing is
-        known of its strength.
-
-        Parameters
-        ----------
-        friction : float or None
-            Least friction coefficient; None where it is not known.
-
-        Returns
-        -------
-        float
+        """Pressure at which a plastic yields for certain, Pa, at its least friction coefficient
+        (None: 0); shakedown pressure of `most_strength` if the yield strength is unknown.
         """
         if self.yield_strength is None:
             return SHAKEDOWN * self.most_strength
@@ -262,18 +247,7 @@ class ElasticMaterial:
         return self.most_strength * first_yield(poissons_ratio=ratio, friction=friction or 0.0)
 
     def usual(self, path: str) -> dict[str, Spread]:
-        """Values of a plastic that are not given and whose sources differ.
-
-        Parameters
-        ----------
-        path : str
-            Of the material in its design.
-
-        Returns
-        -------
-        dict
-            By their paths.
-        """
+        """Spreads of a plastic's values that are not given, by path below the material's `path`."""
         found = {f"{path}.yield_strength": self.strengths} if self.strengths else {}
         if self.least_modulus is not None:
             modulus = float(self.youngs_modulus)
@@ -281,24 +255,7 @@ class ElasticMaterial:
         return found
 
     def known_strength(self, body: Body, name: str) -> float:
-        """That strength, Pa, which has to be known.
-
-        Parameters
-        ----------
-        body : {"pin", "hole"}
-            The body.
-        name : str
-            Core name of the material.
-
-        Returns
-        -------
-        float
-
-        Raises
-        ------
-        NotKnown
-            If it, or the direction in which the layers lie, is not given.
-        """
+        """Strength in the loaded direction, Pa; `NotKnown` has the missing input of `name`."""
         strength = self.loaded_strength(body)
         if strength is None:
             upright = self.plastic is not None and self.plastic.layers == "upright"
@@ -319,18 +276,7 @@ class ElasticMaterial:
 
 
 def check_poissons_ratio(poissons_ratio: Number) -> None:
-    """Refuse a Poisson's ratio outside ``0 <= v < 0.5``.
-
-    Parameters
-    ----------
-    poissons_ratio : float or array
-        Poisson's ratio.
-
-    Raises
-    ------
-    InvalidInput
-        If it is; of an array the first such entry is named.
-    """
+    """Refuse a Poisson's ratio outside ``0 <= v < 0.5``; the first such entry is named."""
     check_not_negative(poissons_ratio=poissons_ratio)
     allowed = poissons_ratio < 0.5
     if not every(allowed):
@@ -338,24 +284,10 @@ def check_poissons_ratio(poissons_ratio: Number) -> None:
 
 
 def effective_modulus(*, first: ElasticMaterial, second: ElasticMaterial) -> Number:
-    """Effective modulus of two bodies in contact: ``1/E* = (1 - v1^2)/E1 + (1 - v2^2)/E2``.
+    """Effective modulus E*, Pa, of two bodies: ``1/E* = (1 - v1^2)/E1 + (1 - v2^2)/E2``.
 
-    Parameters
-    ----------
-    first, second : ElasticMaterial
-        The two materials.
-
-    Returns
-    -------
-    float or array
-        E*, Pa.
-
-    Notes
-    -----
     Source: Yanchevsky et al. 2018, eq. (2), where ``Z_E = sqrt(E*/pi)``.
 
-    Examples
-    --------
     >>> steel = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
     >>> round(effective_modulus(first=steel, second=steel)/1e9, 6)
     115.384615
@@ -364,23 +296,10 @@ def effective_modulus(*, first: ElasticMaterial, second: ElasticMaterial) -> Num
 
 
 def mismatch(*, first: ElasticMaterial, second: ElasticMaterial) -> tuple[Number, Number]:
-    """Dundurs' constants of two bodies in contact: how different they are elastically.
+    """Dundurs' constants alpha and beta of two bodies; both are 0 for identical materials.
 
     ``alpha = (E1' - E2')/(E1' + E2')`` with ``E' = E/(1 - v^2)``, and
     ``beta = E*/2*((1 - 2*v2)*(1 + v2)/E2 - (1 - 2*v1)*(1 + v1)/E1)``.
-
-    Parameters
-    ----------
-    first, second : ElasticMaterial
-        The two materials.
-
-    Returns
-    -------
-    alpha, beta : float or array
-        Dimensionless; both 0 for identical materials.
-
-    Notes
-    -----
     Source: Dundurs 1969, in Johnson, Contact Mechanics, 5.1.
     """
     one, other = first.plane_modulus, second.plane_modulus
@@ -399,7 +318,7 @@ SHEAR_RATIO = SHEAR_DEPTH * (1 - SHEAR_DEPTH**2)
 """Largest shear stress over the largest pressure, 0.300."""
 
 HERTZ_TOLERANCE = 0.01
-"""Excess of the conformal pressure over Hertz's from which it is given beside it, and governs."""
+"""Relative excess of the conformal pressure over Hertz's above which the conformal one governs."""
 
 HALF_WIDTH_RATIO_LIMIT = 0.159
 """Half-width over pin radius at which Hertz is off by `HERTZ_TOLERANCE` (identical materials)."""
@@ -409,17 +328,17 @@ STRAIN_LIMIT = 0.02
 
 
 class BodySafety(NamedTuple):
-    """One body of a contact, judged by the limit of its own material."""
+    """Safety of one body of a contact against the limit of its own material."""
 
-    body: Body  # which one
-    limit: ContactLimit  # of its contact pressure
-    # Limit over the governing pressure: a ratio of pressures, so the load may grow with its square.
-    # NaN in an array where it is not known.
+    body: Body
+    limit: ContactLimit  # limit of its contact pressure
+    # Limit over governing pressure; under Hertz the load may grow with its square. NaN in an array
+    # where it is not known.
     safety_factor: Number
 
 
 class ContactArc(NamedTuple):
-    """A contact that is wide for Hertz, along its arc."""
+    """Conformal contact along its arc."""
 
     pressure: Number  # largest, Pa
     half_angle: Number  # eps, half of the angle over which it extends, rad
@@ -427,10 +346,9 @@ class ContactArc(NamedTuple):
 
 
 class HertzContact(NamedTuple):
-    """Stress of the line contact of pin and hole, or of an array of them.
+    """Stress of the line contact of pin and hole, or of an array of contacts.
 
-    What does not apply or is not known is None; in an array it is NaN, or None where it is so
-    for all.
+    Values that do not apply or are unknown are None; in an array NaN, or None if all are.
     """
 
     max_pressure: Number  # Hertz pressure p0 in the middle, Pa
@@ -442,29 +360,28 @@ class HertzContact(NamedTuple):
     reduced_radius: Number  # rho of the curvatures, m
     effective_modulus: Number  # E*, Pa
     mismatch: tuple[Number, Number]  # Dundurs' alpha and beta, positive where the pin is stiffer
-    conformity: Number  # w/(E*(R - r)) of the line load w: how closely pin and hole fit under it
-    # Of the conformal contact, where it is wide enough to apply (see `hertz`):
-    conformal_pressure: Number | None  # its largest pressure, Pa
+    conformity: Number  # w/(E*(R - r)) of the line load w; large where pin and hole fit closely
+    conformal_pressure: Number | None  # largest pressure of the conformal contact (see `hertz`), Pa
     conformal_half_angle: Number | None  # eps, half of the angle over which it extends, rad
-    conformal_half_angle_pin: Number | None  # the same seen from the pin's axis, rad
-    conformal_half_angle_hole: Number | None  # and from the hole's axis, rad
-    conformal_half_length: Number | None  # half of its length along the arc, m
-    edge_tension: Number | None  # hoop tension in the hole's rim at its ends, Pa
-    # The pressure to be judged, Pa: the conformal one where it applies, else Hertz's; NaN where it
-    # is not known, as the contact would wrap around more than half of the pin.
+    conformal_half_angle_pin: Number | None  # half-angle seen from the pin's axis, rad
+    conformal_half_angle_hole: Number | None  # half-angle seen from the hole's axis, rad
+    conformal_half_length: Number | None  # half of the contact's length along the arc, m
+    edge_tension: Number | None  # hoop tension in the hole's rim at the ends of the contact, Pa
+    # Pressure to be judged, Pa: the conformal one where it applies, else Hertz's; NaN where the
+    # contact would wrap around more than half of the pin.
     governing: Number
     safety: tuple[BodySafety, ...]  # bodies whose limit is known, under the governing pressure
-    safety_factor: Number | None  # the smaller one of both bodies, where both are known
+    safety_factor: Number | None  # smaller one of both bodies, where both are known
     accuracy: Accuracy
 
     @property
     def is_conformal(self) -> bool:
-        """Whether the contact is wide enough for the conformal one to apply."""
+        """True if the contact is so wide that the conformal pressure applies."""
         return self.conformal_pressure is not None
 
     @property
     def arc(self) -> ContactArc:
-        """The contact along the arc, where it is wide enough to apply."""
+        """Conformal contact along its arc; `NotKnown` for a contact narrow enough for Hertz."""
         return ContactArc(
             required(self.conformal_pressure, "no_conformal_pressure"),
             required(self.conformal_half_angle, "no_conformal_pressure"),
@@ -473,14 +390,14 @@ class HertzContact(NamedTuple):
 
     @property
     def governing_pressure(self) -> Number:
-        """The pressure to be judged, Pa, which has to be known of one contact."""
+        """Pressure to be judged, Pa; `NotKnown` if it wraps around more than half of the pin."""
         if isinstance(self.governing, float) and math.isnan(self.governing):
             raise NotKnown("contact_wraps")
         return self.governing
 
     @property
     def notices(self) -> tuple[Notice, ...]:
-        """Limits of validity that one contact (not an array of them) strains."""
+        """Limits of validity that a single contact (no array) exceeds."""
         unknown, strain = (
             poorly_known(self.accuracy),
             float(self.governing / self.effective_modulus),
@@ -503,10 +420,13 @@ def hertz(
     dynamic_factor: Number = 1.0,
     distribution_factor: Number = 1.0,
 ) -> HertzContact:
-    """Line contact of a pin in a hole; of arrays, one in each place.
+    """Line contact of a pin in a hole; arrays hold one contact in each place.
 
     ``w = F/b*K_A*K_alpha``, ``rho = R*r/(R - r)``, ``p0 = sqrt(w*E*/(pi*rho))``,
-    ``a = sqrt(4*w*rho/(pi*E*))``.
+    ``a = sqrt(4*w*rho/(pi*E*))``. The conformal contact is added where its pressure is more than
+    `HERTZ_TOLERANCE` above Hertz's.
+    Source: Yanchevsky et al. 2018, eq. (2); half-width, mean pressure and shear: Johnson, Contact
+    Mechanics, 4.2.
 
     Parameters
     ----------
@@ -514,32 +434,13 @@ def hertz(
         Contact force F, N, >= 0.
     contact_length : float or array
         Length b of the contact along the pin, m.
-    pin_radius : float or array
-        Radius r of the pin, m.
-    hole_radius : float or array
-        Radius R of the hole, m, larger than `pin_radius`.
-    pin_material, hole_material : ElasticMaterial
-        Materials of pin and satellite.
+    pin_radius, hole_radius : float or array
+        Radius r of the pin and R of the hole, m; R has to be larger, as a pin that fills its hole
+        has no line contact.
     dynamic_factor : float or array
-        Factor K_A of the dynamic load, > 0.
+        Application factor K_A, > 0.
     distribution_factor : float or array
-        Factor K_alpha of uneven load sharing between the pairs, > 0.
-
-    Returns
-    -------
-    HertzContact
-
-    Raises
-    ------
-    InvalidInput
-        If a length or factor is not positive, the force negative, or the hole not larger than
-        the pin: a pin that fills its hole has no line contact.
-
-    Notes
-    -----
-    Source: Yanchevsky et al. 2018, eq. (2); half-width, mean pressure and shear: Johnson,
-    Contact Mechanics, 4.2. The conformal contact is given where its pressure lies more than
-    `HERTZ_TOLERANCE` above Hertz's.
+        Load-sharing factor K_alpha of the pairs, > 0.
 
     Examples
     --------
@@ -594,7 +495,7 @@ def hertz(
         ),
         accuracy=Accuracy(
             method=method,
-            # rho has the difference of two radii that are known to rounding; beta is in a factor
+            # rho contains a difference of rounded radii; the factors of beta have their own error
             relative_error=ROUNDING * (8 + (hole_radius + pin_radius) / difference)
             + where(wide["governing"] == max_pressure, 0.0, 2 * abs(constants[1]) * ERROR),
             evaluations=evaluations,
@@ -603,26 +504,15 @@ def hertz(
 
 
 def narrow_load(beta: Number) -> Number:
-    """Load parameter ``E* dR/Q`` above which the conformal pressure is within `HERTZ_TOLERANCE` of
-    Hertz's: wider contacts have a smaller one.
-
-    Parameters
-    ----------
-    beta : float or array
-        Dundurs' beta.
-
-    Returns
-    -------
-    float or array
-        A bound for any alpha, by a line over the root of what is needed, which for alpha = 1 and
-        beta = 0 is 57.9, for -1 and -1/2 777.4.
+    """Load parameter ``E* dR/Q`` above which Hertz is within `HERTZ_TOLERANCE`, a bound for any
+    alpha; exact are 57.9 for alpha = 1 and beta = 0, and 777.4 for -1 and -1/2.
     """
     root = 7.65 - 41.0 * smaller(beta, 0.0)
     return root * root
 
 
 def _max_pressure(line_load: Number, reduced_radius: Number, modulus: Number) -> Number:
-    """Hertz's pressure in the middle."""
+    """Hertz's pressure in the middle of the contact, Pa."""
     return sqrt(line_load / reduced_radius) * sqrt(modulus / math.pi)
 
 
@@ -646,9 +536,7 @@ def _conformal(
     constants: tuple[Number, Number],
     poissons_ratio: Number,
 ) -> tuple[dict[str, Number | None], str, int]:
-    """What a `HertzContact` has of the conformal contact, where that applies, and which pressure
-    governs; the method and its steps.
-    """
+    """Conformal and governing pressure as fields of a `HertzContact`, method, number of steps."""
     alpha, beta = constants
     difference = hole_radius - pin_radius
     max_pressure = _max_pressure(line_load, hole_radius / difference * pin_radius, modulus)
@@ -686,7 +574,7 @@ def _conformal(
 def _safety(
     governing: Number, *, pin: ElasticMaterial, hole: ElasticMaterial
 ) -> tuple[BodySafety, ...]:
-    """Each body by the limit of its own material, where the pressure and that are known."""
+    """Safety of each body whose limit is known, under a governing pressure that is known."""
     if not some(governing > 0):
         return ()
     pressure = where(governing > 0, governing, math.nan)
@@ -701,28 +589,21 @@ def _safety(
 def force_factor(
     *, contact: HertzContact, contact_at: Callable[[float], HertzContact], limit: float
 ) -> float:
-    """Factor on the force at which the governing pressure of a contact is at a limit.
+    """Factor on the force at which the governing pressure of a contact reaches a limit.
 
-    Hertz's pressure grows with the root of the force, that of a conformal contact faster, up to
-    the force itself; where it takes over, the governing pressure jumps by a per cent.
+    Hertz's pressure grows with the root of the force, a conformal one faster, up to the force
+    itself. The governing pressure jumps by one per cent where the conformal one takes over. The
+    load per length is found from ``P/lambda = p*R_m/(E* dR)``, which grows with it.
 
     Parameters
     ----------
     contact : HertzContact
-        The contact, under a force.
+        The contact under its force.
     contact_at : callable
-        The contact under so many times the force.
+        Contact under a multiple of the force, by that multiple.
     limit : float
-        The limit, Pa, > 0.
-
-    Returns
-    -------
-    float
-        That of the widest contact of which the pressure is known, where this is below the limit.
-
-    Notes
-    -----
-    The load per length is the root of ``P/lambda = p*R_m/(E* dR)``, which grows with it.
+        The limit, Pa, > 0; if the widest known contact stays below it, that contact's factor is
+        returned.
     """
     ratio = float(limit / contact.max_pressure)
     by_hertz = ratio**2
@@ -733,7 +614,7 @@ def force_factor(
     parameter = load_under_pressure(
         pressure_parameter=ratio * math.sqrt(contact.conformity / math.pi), alpha=alpha, beta=beta
     )
-    # not beyond the limit, or the widest contact, by the rounding of forces
+    # a margin, so that rounding of forces does not exceed the limit or the widest contact
     factor = float(1 / (parameter * contact.conformity)) * (1 - 512 * ROUNDING)
     if contact_at(factor).is_conformal:
         return factor
@@ -741,48 +622,20 @@ def force_factor(
     def left(factor: float) -> float:
         return float(limit - contact_at(factor).governing)
 
-    met, _ = edge(inside=factor, outside=by_hertz, excess=left)  # within the jump
+    met, _ = edge(inside=factor, outside=by_hertz, excess=left)  # the limit lies within the jump
     return met * (1 - 512 * ROUNDING)
 
 
 def pressure_profile(*, contact: HertzContact, samples: int = 81) -> tuple[FloatArray, FloatArray]:
-    """Hertz pressure over the width of the contact: ``p0*sqrt(1 - (x/a)^2)``.
-
-    Parameters
-    ----------
-    contact : HertzContact
-        The contact.
-    samples : int
-        Number of places, at least 2.
-
-    Returns
-    -------
-    x, pressure : array, shape (samples,)
-        Places across the contact, m, and pressure there, Pa.
-    """
+    """Places across the contact, m, and Hertz pressure there, Pa, each of shape (samples,)."""
     angle = np.linspace(-math.pi / 2, math.pi / 2, samples)
     return contact.half_width * np.sin(angle), contact.max_pressure * np.cos(angle)
 
 
 def conformal_profile(*, contact: HertzContact, samples: int = 81) -> tuple[FloatArray, FloatArray]:
-    """Pressure of the conformal contact over its arc.
+    """Places along the arc, m, and conformal pressure there, Pa, shape (samples,), samples >= 2.
 
-    Parameters
-    ----------
-    contact : HertzContact
-        A contact to which the conformal pressure applies.
-    samples : int
-        Number of places, at least 2.
-
-    Returns
-    -------
-    arc, pressure : array, shape (samples,)
-        Places along the arc, m, and pressure there, Pa.
-
-    Raises
-    ------
-    NotKnown
-        If the contact has no conformal pressure.
+    `NotKnown` is raised for a contact without conformal pressure.
     """
     pressure, half_angle, half_length = contact.arc
     places = np.sin(np.linspace(-math.pi / 2, math.pi / 2, samples))
@@ -793,42 +646,25 @@ def conformal_profile(*, contact: HertzContact, samples: int = 81) -> tuple[Floa
 
 
 PLACES, ZOOMS, CLOSER = 25, 9, 6
-"""Places along each side of the field that is searched, how often it is narrowed, and how far."""
+"""Places along each side of the searched field, number of zooms, and factor of each zoom."""
 
 SHAKEDOWN = 4 / math.sqrt(3)
 """Largest pressure of elastic shakedown over the yield strength, without friction: the largest
-orthogonal shear, a quarter of it, is the shear yield strength ``Re/sqrt(3)``."""
+orthogonal shear, a quarter of the pressure, is the shear yield strength ``Re/sqrt(3)``."""
 
 SLIDING, SLIDING_SHAKEDOWN = 0.1, 2.06
-"""The largest friction for which it is known, and what it is there (Johnson 1985: 3.565 times the
-shear yield strength)."""
+"""Largest friction coefficient with a known shakedown pressure, and that pressure over the yield
+strength (Johnson 1985: 3.565 times the shear yield strength)."""
 
 
 def squared_stress(
     *, poissons_ratio: float, friction: float, x: FloatArray, z: FloatArray
 ) -> FloatArray:
-    """Square of the equivalent stress (Mises) below a sliding line contact.
+    """Square of Mises' stress below a sliding line contact, over that of the largest pressure.
 
-    ``(1 - 2*v)^2/4*(sx + sz)^2 + 3/4*(sx - sz)^2 + 3*t^2``, as ``sy = v*(sx + sz)``.
-
-    Parameters
-    ----------
-    poissons_ratio : float
-        v, dimensionless.
-    friction : float
-        Friction coefficient mu, >= 0.
-    x, z : array
-        Place along the surface and depth over the half-width of the contact, z > 0.
-
-    Returns
-    -------
-    array
-        Over the square of the largest pressure.
-
-    Notes
-    -----
-    Source: McEwen 1949, in Johnson, Contact Mechanics, (4.49) of the pressure and (7.8) of the
-    friction.
+    ``(1 - 2*v)^2/4*(sx + sz)^2 + 3/4*(sx - sz)^2 + 3*t^2``, as ``sy = v*(sx + sz)``; x along the
+    surface and depth z > 0 are over the half-width of the contact.
+    Source: McEwen 1949, in Johnson, Contact Mechanics, (4.49) for pressure and (7.8) for friction.
     """
     inner = 1 - x**2 + z**2
     root = np.sqrt(inner**2 + 4 * x**2 * z**2)
@@ -845,23 +681,10 @@ def squared_stress(
 def first_yield(*, poissons_ratio: float, friction: float = 0.0) -> float:
     """Largest pressure of a line contact at first yield over the yield strength (Mises).
 
-    At the surface ``1/sqrt(3*mu^2 + (1 - 2*v)^2*(1 + mu^2))``; below it the largest equivalent
-    stress is searched.
+    At the surface ``1/sqrt(3*mu^2 + (1 - 2*v)^2*(1 + mu^2))``; below it the largest Mises stress is
+    searched. Poisson's ratio 0 <= v < 0.5 is that of the body, the friction coefficient mu >= 0
+    that of the sliding pair.
 
-    Parameters
-    ----------
-    poissons_ratio : float
-        v of the body, 0 <= v < 0.5.
-    friction : float
-        Friction coefficient mu of the sliding pair, >= 0.
-
-    Returns
-    -------
-    float
-        f, dimensionless: p0 = f*Re.
-
-    Examples
-    --------
     >>> [round(first_yield(poissons_ratio=v), 4) for v in (0.3, 0.36, 0.43)]
     [1.7937, 1.8582, 1.9063]
     >>> [round(first_yield(poissons_ratio=0.36, friction=mu), 3) for mu in (0.1, 0.3, 0.6)]
@@ -886,21 +709,10 @@ def first_yield(*, poissons_ratio: float, friction: float = 0.0) -> float:
 
 
 def shakedown(friction: float) -> float:
-    """Largest pressure of elastic shakedown over the yield strength, with friction.
+    """Largest pressure of elastic shakedown over the yield strength, by the friction coefficient.
 
-    Parameters
-    ----------
-    friction : float
-        Friction coefficient of the pair that slides, >= 0.
+    Linear between 0 and `SLIDING`. Beyond, the last value is an upper bound, as friction lowers it.
 
-    Returns
-    -------
-    float
-        In between by a straight line; beyond, the last known one, above which it fails for certain,
-        as friction only lowers it.
-
-    Examples
-    --------
     >>> [round(shakedown(mu), 3) for mu in (0.0, 0.05, 0.1, 0.5)]
     [2.309, 2.185, 2.06, 2.06]
     """

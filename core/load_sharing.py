@@ -1,7 +1,7 @@
-"""One displacement shared by many unilateral contacts in parallel.
+"""Load sharing of many unilateral contacts in parallel under one displacement.
 
-Contacts of one stiffness close one after another as the displacement grows and uses up their
-gaps; an open contact carries nothing and cannot pull.
+Contacts of equal stiffness close one after another as the displacement uses up their gaps. An open
+contact carries nothing, as a contact cannot pull.
 """
 
 import math
@@ -27,24 +27,24 @@ from core.precision import ROUNDING
 
 @dataclass(frozen=True, slots=True)
 class LoadSharing:
-    """How contacts in parallel share a load."""
+    """Forces of contacts in parallel under a load."""
 
     forces: tuple[Number, ...]  # F_i of each contact, N, in the order of the gaps
-    largest_force: Number  # of the contact with the smallest gap, N
-    displacement: Number  # Delta, of all contacts, m, from the same zero as the gaps
+    largest_force: Number  # force of the contact with the smallest gap, N
+    displacement: Number  # Delta of all contacts, m, counted from the zero of the gaps
     loaded: int | IntArray  # number of contacts that carry a force
-    # Bound of the error of each force over the largest force, and of the displacement over the
-    # larger of it and the largest gap.
+    # Bound of the error of each force over the largest force, and of the error of the displacement
+    # over the larger of the displacement and the largest gap.
     relative_error: Number
 
 
 def share_load(*, total: Number, stiffness: Number, gaps: Sequence[Number]) -> LoadSharing:
     """Exact forces of unilateral contacts: ``F_i = c*max(0, Delta - g_i)``, ``sum F_i = total``.
 
-    The contacts are closed in the order of their gaps. The approach ``total/c`` is first the
-    first contact's alone; to close the next one, m contacts have each to move by the difference
-    of the gaps, and use up m times as much of it. What remains when the next gap cannot be
-    closed any more is shared evenly. No iteration, and no sum of large numbers that cancel.
+    The contacts are closed in the order of their gaps: to close the next gap, m closed contacts
+    move by the difference of the gaps and use up m times as much of the approach ``total/c``. The
+    remainder is shared evenly. No iteration is needed, and no large numbers cancel. Source:
+    Ovsyannikov et al. 2019, eq. (5), for any gaps instead of ``0, 4*chi, ..., 4*chi``.
 
     Parameters
     ----------
@@ -53,26 +53,12 @@ def share_load(*, total: Number, stiffness: Number, gaps: Sequence[Number]) -> L
     stiffness : float or array
         Stiffness c of one contact, N/m, > 0.
     gaps : sequence of float or array
-        Gap g_i of each contact, m, at least one. Only differences matter to the forces: gaps
+        Gap g_i of each contact, m, at least one; forces depend on differences only, so that gaps
         may be negative.
-
-    Returns
-    -------
-    LoadSharing
-
-    Raises
-    ------
-    InvalidInput
-        If there is no contact, a gap is no finite number, the load negative or the stiffness
-        not positive.
-
-    Notes
-    -----
-    Source: Ovsyannikov et al. 2019, eq. (5), for any gaps instead of ``0, 4*chi, ..., 4*chi``.
 
     Examples
     --------
-    Four rollers, the first ahead of the others: it carries 1 N/um times 10 um more.
+    The first of four rollers is 10 um ahead of the others and carries 1 N/um times 10 um more.
 
     >>> sharing = share_load(total=70.0, stiffness=1e6, gaps=[0.0, 1e-5, 1e-5, 1e-5])
     >>> [round(force, 9) for force in sharing.forces]
@@ -103,7 +89,7 @@ def share_load(*, total: Number, stiffness: Number, gaps: Sequence[Number]) -> L
         last = where(closes, following, last)
         closed = closed + closes
     rest = remaining / closed
-    approach = rest + (last - first)  # of the contact with the smallest gap
+    approach = rest + (last - first)  # approach of the contact with the smallest gap
     furthest = larger(abs(first), abs(last))
     forces = tuple([where(gap <= last, stiffness * (rest + (last - gap)), 0.0) for gap in gaps])
     return LoadSharing(
@@ -111,9 +97,9 @@ def share_load(*, total: Number, stiffness: Number, gaps: Sequence[Number]) -> L
         largest_force=stiffness * approach,
         displacement=last + rest,
         loaded=sum([force > 0 for force in forces]),
-        # The first force is the sum of positive terms, of which `remaining` carries one rounding
-        # for each contact closed, relative to total/c; the largest force is at least its m-th. The
-        # gaps are known to rounding: their differences magnify that.
+        # The largest force is a sum of positive terms and at least 1/m of the load; `remaining`
+        # carries one rounding of total/c for each contact closed. The gaps are known to rounding,
+        # and their differences magnify it.
         relative_error=ROUNDING
         * (3 + closed + 2 * furthest / where(approach > 0, approach, math.inf)),
     )

@@ -1,4 +1,4 @@
-"""The table of materials, and by which names they are found."""
+"""The table of materials and the names by which they are found."""
 
 import re
 from dataclasses import replace
@@ -12,7 +12,7 @@ LIFE_CURVES: dict[str, LifeCurve] = {
     "iso_6336_5_hardness": "hardened",
     "iso_6336_5_normalized": "hardened",
 }
-"""Sources of limits for many loads that say how these fall with their number."""
+"""Life curves of limits for many loads, by the source of the limit."""
 
 
 def _limit(criterion: Criterion, pressure_MPa: float, source: str) -> ContactLimit:
@@ -20,7 +20,7 @@ def _limit(criterion: Criterion, pressure_MPa: float, source: str) -> ContactLim
 
 
 def _strength(source: str, **known: float) -> Strength:
-    """Strength by what is known of it: `tensile_MPa`, `yield_MPa`, and the `size_mm` of both."""
+    """Strength from `tensile_MPa`, `yield_MPa` and the `size_mm` up to which both hold."""
     units = {
         "tensile_MPa": ("tensile", 1e6),
         "yield_MPa": ("yield_strength", 1e6),
@@ -70,7 +70,7 @@ def _printed(
     layered: bool = True,
     **facts: Fact,
 ) -> TableMaterial:
-    """A printed plastic: what one source has of its strength is for reference only."""
+    """Printed plastic; a strength with one source only is for reference."""
     sure, strength = strength_in_plane.seen == "two", Strength()
     if sure:
         least, source = strength_in_plane.spread.low, strength_in_plane.source
@@ -459,8 +459,8 @@ MATERIALS: dict[str, TableMaterial] = {
         ),
     )
 }
-"""The table of materials by name. A limit or a strength stands here where its standard was read or
-two independent secondary sources give it; else it is not known."""
+"""Materials by name. A limit or a strength is listed if its standard was read or two independent
+secondary sources give it; otherwise it is unknown."""
 
 
 ALIASES: dict[str, tuple[str, ...]] = {
@@ -489,7 +489,7 @@ ALIASES: dict[str, tuple[str, ...]] = {
     "plastic_pa12_sintered": ("PA12", "MJF PA12", "SLS PA12"),
     "plastic_pa_cf_printed": ("PA-CF", "PA6-CF", "PA12-CF", "Onyx"),
 }
-"""Other names of materials, with which they are found too."""
+"""Other names by which materials are found."""
 
 SEVERAL: dict[str, tuple[str, ...]] = {
     "nylon": ("plastic_pa12_sintered", "plastic_pa66"),
@@ -502,26 +502,15 @@ SEVERAL: dict[str, tuple[str, ...]] = {
     "aluminum": ("aluminium_6061_t6", "aluminium_6082_t6", "aluminium_7075_t6"),
     "stainless": (),
 }
-"""Names that say too little, as what they may mean differs by much; what of the table it may be."""
+"""Names that are too general, with the materials of the table that they may stand for."""
 
 ELASTOMERS = ("TPU", "TPE", "rubber")
-"""Names of materials whose contact is not calculated: they stretch by their own length."""
+"""Names of materials whose contact is not calculated, as they stretch by their own length."""
 
 
 def plain_name(name: str) -> str:
-    """A name as it is compared: without case, blanks and dashes.
+    """Name without case, blanks, underscores and dashes, for comparison.
 
-    Parameters
-    ----------
-    name : str
-        The name.
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
     >>> plain_name("6061-T6"), plain_name("SAE 660")
     ('6061t6', 'sae660')
     """
@@ -529,4 +518,4 @@ def plain_name(name: str) -> str:
 
 
 NAMES = {plain_name(each): name for name in MATERIALS for each in (name, *ALIASES.get(name, ()))}
-"""Names of the table by all names that they are found with, as these are compared."""
+"""Names in the table, by every name as `plain_name` has it."""

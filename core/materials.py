@@ -1,4 +1,4 @@
-"""What is known of a material of the table, from where, or of one that is given by values."""
+"""Properties and sources of a material of the table, or of a material given by values."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -17,20 +17,20 @@ GROUPS = {
     "plastic": "Plastic",
     "plastic_printed": "Printed plastic",
 }
-"""Kinds of materials in English, by code."""
+"""Groups of materials in English, by code."""
 
 PLASTICS = ("plastic", "plastic_printed")
 """Groups that are judged by the rules of plastics."""
 
 SOFT = 20e9
-"""Young's modulus below which a material that is given by values is a plastic, Pa: metals of pins
+"""Young's modulus below which a material given by values counts as a plastic, Pa: metals of pins
 and holes lie above 40 GPa, filled plastics below 15 GPa."""
 
 Seen = Literal["one", "two"]
-"""In how many independent sources a value was read."""
+"""Number of independent sources in which a value was read."""
 
 SEEN: dict[Seen, str] = {"one": "one source, for reference", "two": "two sources"}
-"""The same in English."""
+"""English words of the number of sources."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,35 +39,35 @@ class Strength:
 
     tensile: float | None = None  # Rm, Pa
     yield_strength: float | None = None  # Re or Rp0.2, Pa; of a printed plastic in its layers
-    # Largest diameter or wall that they hold for, m; None where their source names none.
+    # Largest diameter or wall for these strengths, m; None where the source names none.
     valid_diameter: float | None = None
-    source: str = ""  # where they come from
+    source: str = ""  # source of the strengths
 
 
 @dataclass(frozen=True, slots=True)
 class Fact:
-    """A value of which there is one source only, or on which all agree."""
+    """Property with a single source, or with sources that agree."""
 
     value: float  # SI, temperatures in degrees Celsius
-    source: str  # where it was seen
-    seen: Seen = field(default="two", kw_only=True)  # one: for reference
+    source: str  # source of the value
+    seen: Seen = field(default="two", kw_only=True)  # "one" is for reference only
 
     @property
     def spread(self) -> Spread:
-        """It with its ends."""
+        """Spread of the single value."""
         return Spread.of(self.value)
 
 
 @dataclass(frozen=True, slots=True)
 class Range(Fact):
-    """A value whose sources differ."""
+    """Property with sources that differ."""
 
-    low: float  # the least that was seen
-    high: float  # the largest
+    low: float  # least value read
+    high: float  # largest value read
 
     @property
     def spread(self) -> Spread:
-        """It with its ends."""
+        """Value with the least and the largest that were read."""
         return Spread(self.value, self.low, self.high)
 
 
@@ -84,60 +84,40 @@ class Moduli(TypedDict, total=False):
 
 @dataclass(frozen=True)
 class TableMaterial:
-    """A material of the table."""
+    """Material of the table."""
 
     name: str  # for programs, stable
     title: str  # name for people
     group: str  # a key of `GROUPS`
     moduli: Mapping[str, float] = field(hash=False)  # E, Pa, and v, as far as a source has them
-    source: str  # where these come from
-    limits: tuple[ContactLimit, ...] = ()  # of its contact pressure, at most one by each criterion
+    source: str  # source of the moduli
+    limits: tuple[ContactLimit, ...] = ()  # limits of contact pressure, one at most by criterion
     strength: Strength = Strength()
     density: float | None = None  # kg/m^3
-    density_source: str = ""  # where that comes from
-    hardened: bool = False  # whether its strengths are those of the core
-    layered: bool = False  # whether it is printed in layers
-    facts: Mapping[str, Fact] = field(default_factory=dict, hash=False)  # by the name of the value
+    density_source: str = ""  # source of the density
+    hardened: bool = False  # True if the strengths are those of the core
+    layered: bool = False  # True if it is printed in layers
+    facts: Mapping[str, Fact] = field(default_factory=dict, hash=False)  # by name of the property
 
     @cached_property
     def reference(self) -> tuple[str, ...]:
-        """Values that the material has from one source only."""
+        """Names of E, v and density that have one source only."""
         used = ("youngs_modulus", "poissons_ratio", "density")
         return tuple(name for name in used if name in self.facts and self.facts[name].seen == "one")
 
     @property
     def missing(self) -> tuple[str, ...]:
-        """Of E and v, what no source has."""
+        """Names of E and v that no source has."""
         return tuple(name for name in ELASTIC if name not in self.moduli)
 
     @cached_property
     def material(self) -> ElasticMaterial:
-        """The material at room temperature, judged by its endurance limit where it has one.
-
-        Raises
-        ------
-        InvalidInput
-            If no source has its modulus or its Poisson's ratio.
-        """
+        """Material at room temperature with its endurance limit; `InvalidInput` without E or v."""
         return self.having()
 
     def having(self, **given: Unpack[Moduli]) -> ElasticMaterial:
-        """The material with a modulus, Pa, or a Poisson's ratio that is given.
-
-        Parameters
-        ----------
-        **given : float
-            `youngs_modulus` or `poissons_ratio` instead of those of the table.
-
-        Returns
-        -------
-        ElasticMaterial
-            Where sources differ, its modulus is the largest.
-
-        Raises
-        ------
-        InvalidInput
-            If one is not given that no source has.
+        """Material with E, Pa, or v given instead of the values of the table. `InvalidInput` is
+        raised if E or v has no source and is not given. If sources differ, E is the largest.
         """
         known, least = {**self.moduli}, {}
         match self.facts.get("youngs_modulus"):
@@ -161,14 +141,14 @@ class TableMaterial:
 
     @property
     def _strengths(self) -> Spread | None:
-        """Strength of a plastic by two sources that differ."""
+        """Spread of the strength of a plastic, if two sources give it."""
         known = self.facts.get("strength_in_plane", self.facts.get("yield_strength"))
         sure = known is not None and known.seen == "two" and self.group in PLASTICS
         return known.spread if known and sure else None
 
     @property
     def _strength(self) -> float | None:
-        """Yield strength; of a plastic of which none is known its tensile strength."""
+        """Yield strength, Pa; of a plastic without one the tensile strength."""
         if self.group in PLASTICS and self.strength.yield_strength is None:
             return self.strength.tensile
         return self.strength.yield_strength
@@ -183,7 +163,7 @@ class TableMaterial:
 
 
 NOT_LISTED = TableMaterial("", "", "", {}, "", layered=True)
-"""A material that is given by values alone."""
+"""Material that is given by values alone."""
 
 
 def by_values(
@@ -196,32 +176,21 @@ def by_values(
     long_term_factor: float | None = None,
     **moduli: Unpack[Moduli],
 ) -> ElasticMaterial:
-    """A material by values.
+    """Material by values; `InvalidInput` if E or v is unknown.
 
     Parameters
     ----------
     base : TableMaterial
-        Whose values are taken where none are given; of one that is not listed it is a plastic where
-        its modulus is below `SOFT`.
-    limit : ContactLimit, optional
-        What its contact pressure is judged by.
+        Material that supplies the values not given; an unlisted one with a modulus below `SOFT` is
+        a plastic.
     tensile_strength, yield_strength : float, optional
-        Rm and Re, Pa; of a plastic the smaller one counts, in the direction that `layers` says.
+        Rm and Re, Pa; of a plastic the smaller one counts, in the direction that `layers` names.
     layers : {"flat", "upright"}, optional
-        How the layers of a printed plastic lie.
+        Direction of the layers of a printed plastic.
     long_term_factor : float, optional
-        Strength in the long run over that of a short test.
+        Long-term strength over that of a short test.
     **moduli : float
         `youngs_modulus` E, Pa, and `poissons_ratio` v.
-
-    Returns
-    -------
-    ElasticMaterial
-
-    Raises
-    ------
-    InvalidInput
-        If E or v is not known.
 
     Examples
     --------

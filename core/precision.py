@@ -1,40 +1,40 @@
-"""What methods promise, and what is one number: the classes of precision.
+"""Relative errors that methods promise, and tolerances within which two numbers count as one.
 
-A class is what a method promises, relative to what it calculates, for inputs that are no rounding
-error away from where a result ceases to be. What is stated is smaller: a measured difference (of
-two rules, two grids, a second look), and `ROUNDING` times the condition of the input. That grows
-beyond the class only with the condition, beside a dead centre, a pole, or a difference of nearly
-equal radii; `make accuracy` holds practical cases to it.
+A class (`EXACT`, `SEARCHED`, ...) is the relative error that a method promises for inputs well away
+from where the result ceases to exist. The error stated with a result is usually smaller: a measured
+difference (of two rules, of two grids, of a second search) plus `ROUNDING` times the condition of
+the input. Only the condition can raise it above the class: near a dead centre, a pole, or a
+difference of nearly equal radii. `make accuracy` checks practical cases against the classes.
 """
 
 ROUNDING = 2.0**-52
 """Spacing of the doubles next to 1: the unit in which rounding errors are counted."""
 
 CONVERGED = 1e-14
-"""Where what converges ends, as a part of its value: two rules of a mean, or what a search may have
-missed. Below it there is rounding."""
+"""Relative difference at which iterations end, such as that of two quadrature rules for a mean;
+smaller differences are rounding."""
 
 EXACT = 1e-9
-"""Of closed forms, of what converges, and of exact searches: rounding alone is left."""
+"""Relative error of closed forms, of converged iterations and of exact searches: rounding alone."""
 
 SEARCHED = 1e-6
-"""Of what is looked for by evaluating it: extremes over the turn by scan, zoom and a second scan,
-ends by bisection, inputs by secants."""
+"""Relative error of values found by evaluation: extremes over the turn by scan, zoom and a second
+scan, ends by bisection, inputs by secants."""
 
 JUDGED = 1e-5
-"""Where what checks are judged by ends: how far a sample of solved forces lies off the line between
-its neighbours, over the largest, and a torque off that at which a check is at its limit."""
+"""Largest distance of a sampled force from the straight line between its neighbours, over the
+largest force, at which the sampling of a turn ends."""
 
 HARDLY_KNOWN = 1e-2
 """Relative error above which a number is no guide."""
 
 SAME = 1e-12
-"""Difference that rounding makes of what is one number, as a part of it; of phases in turns, 4e-10
-degrees, finer than any part is made."""
+"""Relative difference by which rounding parts equal numbers; of phases, the difference in turns
+(4e-10 degrees, finer than any part is made)."""
 
 AS_TYPED = 1e-9
-"""Difference of two sizes that would be one had people not to type decimals, as a part of them: a
-clearance, a wall, what parts that just fit may press, summits that are one peak."""
+"""Relative difference of two sizes that would be equal if people did not type rounded decimals:
+clearances, walls, interference of parts that just fit, summits that are one peak."""
 
 CLASSES = {
     "arcs_zoomed": SEARCHED,
@@ -54,4 +54,4 @@ CLASSES = {
     "segments_roots": EXACT,
     "segments_tanh_sinh": EXACT,
 }
-"""What the methods of results promise, by their codes (`core.errors.METHODS`)."""
+"""Relative error that each method promises, by its code (`core.errors.METHODS`)."""

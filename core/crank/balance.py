@@ -1,7 +1,7 @@
-"""Balance of the crankshaft: what satellites and counterweights do to it as they turn.
+"""Balance of the crankshaft: centrifugal forces of satellites and counterweights on it.
 
-A mass m on a crank pulls outwards with ``m*e*w^2`` along it, a counterweight of the unbalance U_k
-with ``U_k*w^2`` in its direction. All of it stands still in the crank's frame, as the loads of the
+A mass m on a crank pulls outwards along it with ``m*e*w^2``, a counterweight of unbalance U_k with
+``U_k*w^2`` in its own direction. All forces stand still in the crank's frame, as the loads of the
 mechanism do.
 """
 
@@ -17,39 +17,39 @@ from core.precision import ROUNDING
 
 @dataclass(frozen=True, slots=True)
 class Counterweight:
-    """A mass on the shaft that is off its axis."""
+    """Mass on the shaft off its axis."""
 
     unbalance: float  # U_k, mass times radius, kg*m
     position: float  # z_k of its middle along the shaft, m
-    angle: float  # beta_k of its direction, counted as the crank angles, rad
+    angle: float  # beta_k of its direction, counted like crank angles, rad
 
 
 @dataclass(frozen=True, slots=True)
 class Correction:
-    """What balances the shaft in the plane of a bearing."""
+    """Unbalance that balances the shaft in the plane of a bearing."""
 
     unbalance: float  # mass times radius, kg*m
-    angle: float  # its direction, counted as the crank angles, rad
+    angle: float  # direction, counted like crank angles, rad
 
 
 @dataclass(frozen=True, slots=True)
 class Balance:
     """Centrifugal forces of satellites and counterweights on the shaft."""
 
-    unbalance: float  # mass times radius that is left, kg*m
-    force: float  # its force at the speed of the crank, N
-    couple: float  # about the middle of the bearings, N*m
+    unbalance: float  # remaining mass times radius, kg*m
+    force: float  # centrifugal force of the unbalance, N
+    couple: float  # couple about the middle of the bearings, N*m
     grade: float  # speed of the centre of the turning masses about the axis, m/s
-    # Reaction of each bearing, N: along the direction from which crank angles are counted, and i
-    # times that ahead of it.
+    # Reaction of each bearing, N: real part along the direction of crank angle 0, imaginary part a
+    # right angle ahead of it.
     reaction: tuple[complex, complex]
-    rounding: float  # of each, N
-    # In the planes of both bearings; together they balance force and couple that are left.
+    rounding: float  # rounding error of each reaction, N
+    # Corrections in the planes of both bearings, which balance the force and the couple.
     corrections: tuple[Correction, Correction]
 
     @property
     def bearing_force(self) -> tuple[float, float]:
-        """Size of the reactions, N."""
+        """Sizes of the reactions, N."""
         first, last = self.reaction
         return abs(first), abs(last)
 
@@ -65,43 +65,25 @@ def balance(
     input_speed: float,
     rotor_mass: float | None = None,
 ) -> Balance:
-    """Unbalance of the shaft, its force and couple, and what corrects it.
+    """Unbalance of the shaft with its force and couple, and the corrections that balance it.
 
-    ``U = sum m*e*e^(i*alpha_j) + sum U_k*e^(i*beta_k)``, the force ``|U|*w^2``, the couple
-    ``|sum U*(z - (A + B)/2)|*w^2``, the reactions ``R_B = -sum U*(z - A)/(B - A)*w^2`` and
-    ``R_A = -sum U*w^2 - R_B``, the grade ``|U|*w/M``. 0 where nothing but rounding is left.
+    ``U = sum m*e*e^(i*alpha_j) + sum U_k*e^(i*beta_k)``, force ``|U|*w^2``, couple
+    ``|sum U*(z - (A + B)/2)|*w^2``, reactions ``R_B = -sum U*(z - A)/(B - A)*w^2`` and
+    ``R_A = -sum U*w^2 - R_B``, grade ``|U|*w/M`` (ISO 21940-11). Numbers within rounding are 0.
 
     Parameters
     ----------
     satellite_mass : float
-        Mass m of a satellite with its bearing, kg, > 0.
-    eccentricity : float
-        Eccentricity e of the cranks, m, > 0.
-    crank_angles : tuple of float
-        Angle alpha_j of each crank, rad, shape (K,).
-    satellite_positions : tuple of float
-        Middle planes z of the satellites along the shaft, m, shape (K,).
+        Mass m of a satellite with its bearing, kg.
+    crank_angles, satellite_positions : tuple of float
+        Angle alpha_j of each crank, rad, and middle plane z of each satellite along the shaft, m,
+        both of shape (K,).
     bearing_positions : tuple of float
-        Places A and B of the bearings, m; B beyond A.
-    counterweights : tuple of Counterweight
-        Masses besides the satellites, of unbalances >= 0.
+        Places A and B of the bearings along the shaft, m; B beyond A.
     input_speed : float
         Speed w of the crank against the housing, rad/s, > 0.
     rotor_mass : float, optional
-        Mass M of all that turns with the shaft, kg, > 0; that of the satellites where not given.
-
-    Returns
-    -------
-    Balance
-
-    Raises
-    ------
-    InvalidInput
-        If a size is out of range.
-
-    Notes
-    -----
-    Statics of rotating masses; the grade is that of ISO 21940-11.
+        Mass M of all that turns with the shaft, kg; by default that of the satellites.
 
     Examples
     --------
@@ -160,22 +142,7 @@ def balance(
 def check_places(
     *, satellites: int, positions: tuple[float, ...], bearings: tuple[float, float]
 ) -> None:
-    """Refuse places that are not one for each satellite, and bearings that do not ascend.
-
-    Parameters
-    ----------
-    satellites : int
-        Their number K.
-    positions : tuple of float
-        Middle planes of the satellites along the shaft, m.
-    bearings : tuple of float
-        Places of both bearings, m.
-
-    Raises
-    ------
-    InvalidInput
-        If they are so.
-    """
+    """Refuse positions that are not one for each satellite, and bearings that do not ascend."""
     if len(positions) != satellites:
         sizes = {"expected": satellites, "actual": len(positions)}
         raise InvalidInput("satellite_positions", len(positions), "different_length", **sizes)
@@ -185,19 +152,7 @@ def check_places(
 
 
 def carried(*, positions: tuple[float, ...], bearings: tuple[float, float]) -> FloatArray:
-    """What each bearing carries of a force at each place of the shaft.
-
-    Parameters
-    ----------
-    positions : tuple of float
-        The places, m, shape (K,).
-    bearings : tuple of float
-        Places of both bearings, m.
-
-    Returns
-    -------
-    array, shape (2, K)
-    """
+    """Share of a force at each position of the shaft that each bearing carries, shape (2, K)."""
     places, (first, last) = np.array(positions), bearings
     return np.array((last - places, places - first)) / (last - first)
 
@@ -205,26 +160,12 @@ def carried(*, positions: tuple[float, ...], bearings: tuple[float, float]) -> F
 def rounding(
     *, angles: tuple[float, ...], positions: tuple[float, ...], bearings: tuple[float, float]
 ) -> float:
-    """Part of a force on the shaft by which rounding of its place and direction moves reactions.
-
-    Parameters
-    ----------
-    angles : tuple of float
-        Directions of the forces, rad.
-    positions : tuple of float
-        Their places, m.
-    bearings : tuple of float
-        Places of both bearings, m.
-
-    Returns
-    -------
-    float
-    """
+    """Error of the reactions over a force, by rounding of its direction and its place."""
     far = max(map(abs, (*positions, *bearings))) / (bearings[1] - bearings[0])
     return ROUNDING * (4 + 2 * max(map(abs, angles))) * (1 + 2 * far)
 
 
 def _turned(value: complex) -> float:
-    """Direction from 0 to less than a turn, in degrees too."""
+    """Direction of a complex number, rad, from 0 to less than a turn, also in degrees."""
     angle = math.atan2(value.imag, value.real) % (2 * math.pi)
-    return angle if angle < 2 * math.pi * (1 - 4 * ROUNDING) else 0.0  # that of a trifle below 0
+    return angle if angle < 2 * math.pi * (1 - 4 * ROUNDING) else 0.0  # 0 for angles just below 0

@@ -1,9 +1,9 @@
-"""Reactions of the crankshaft's two bearings, its balance in them.
+"""Reactions of the crankshaft's two bearings, with the balance of the shaft in them.
 
-In the crank's frame, with the crank of satellite j in the direction ``e_j`` and ``t_j`` at a right
-angle ahead of it, a satellite presses its crank with ``-(W_j*t_j + (rho*W_j + S_j)*e_j)``: back
-against the rotation, and to the reducer's axis. All of it stands still there but for its ripple, so
-that the shaft is bent one way all the time.
+In the crank's frame, with the crank of satellite j in the direction ``e_j`` and ``t_j`` a right
+angle ahead of it, a satellite presses its crank with ``-(W_j*t_j + (rho*W_j + S_j)*e_j)``: against
+the rotation, and towards the reducer's axis. The forces stand still in this frame except for a
+ripple, so that the shaft is always bent in one direction.
 """
 
 import math
@@ -36,16 +36,16 @@ from core.precision import ROUNDING
 class Crankshaft:
     """Reactions and balance of a crankshaft."""
 
-    # Largest reaction of each bearing over the turn, N, shape (2,), with that to the centrifugal
-    # forces where the balance is known; 0 where forces that cancel leave nothing but rounding.
+    # Largest reaction of each bearing over the turn, N, shape (2,), centrifugal forces included if
+    # the balance is known; 0 where forces cancel within rounding.
     peak_reaction: FloatArray
-    equivalent_reaction: FloatArray  # equivalent load of each, N, shape (2,), likewise
-    # Time that 90 % of such bearings in the housing reach, s, by the bearing, 0 or 1: of those that
-    # are loaded and whose rating and speed are known.
+    equivalent_reaction: FloatArray  # equivalent load of each bearing, N, shape (2,)
+    # Time that 90 % of such bearings reach, s, by the bearing, 0 or 1; only for bearings that are
+    # loaded and whose rating and speed are known.
     basic_life: dict[int, float]
-    balance: Balance | None  # where mass and speed are given
-    accuracy: Accuracy  # of all numbers; of the balance over the sum of the sizes it is made of
-    notices: tuple[Notice, ...]  # those of the ring
+    balance: Balance | None  # None without mass and speed
+    accuracy: Accuracy  # error of the balance is over the sum of the sizes of its forces
+    notices: tuple[Notice, ...]  # notices of the ring mesh, and of poorly known results
 
 
 def crankshaft(
@@ -71,66 +71,32 @@ def crankshaft(
 ) -> Crankshaft:
     """Reactions of the crankshaft's bearings, and its balance.
 
-    The forces are the ideal ones, shared equally by the satellites; with `made` those of the
-    mechanism as it is made.
-    ``R_B = -sum F_j*(z_j - A)/(B - A)``, ``R_A = -sum F_j - R_B``; unbalance ``U = sum m*e*e_j``.
+    ``R_B = -sum F_j*(z_j - A)/(B - A)``, ``R_A = -sum F_j - R_B`` with the satellites' forces F_j
+    on the cranks. Of the input drive only the torque is considered. `ImpossibleMechanism` is raised
+    at a dead centre.
 
     Parameters
     ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    output_torque : float
-        Torque T on the output link, N*m, > 0.
-    pin_circle_radius : float
-        Radius R of the circle of pin centres, m, > 0.
-    eccentricity : float
-        Eccentricity e of the cranks, m, > 0.
-    mesh : RingMesh
-        The ring's force along the crank.
     distribution_factor : float
-        Factor K_alpha of one satellite's share, from 1 to K, where that is stated: it carries
-        K_alpha/K of the torque, the others what is left, and of all choices of it the worst counts
-        for each bearing. Of ideal forces.
+        Load-sharing factor K_alpha of the satellites, from 1 to K, for ideal forces: one satellite
+        carries K_alpha/K of the torque, and the worst choice of that satellite counts for each
+        bearing.
     satellite_positions : tuple of float
         Middle planes z of the satellites along the shaft, m.
     bearing_positions : tuple of float
         Places A and B of the bearings, m; B beyond A.
-    kinds : tuple of {"ball", "roller"}
-        Rolling elements of each bearing, for the equivalent load.
-    dynamic_ratings : tuple of float or None
-        Basic dynamic load rating C of each bearing, N, > 0, where it is known.
-    satellite_mass : float, optional
-        Mass m of a satellite with its bearing, kg, > 0.
-    counterweights : tuple of Counterweight
-        Masses besides the satellites; they count where that mass is given.
-    rotor_mass : float, optional
-        Mass of all that turns with the shaft, kg, > 0, for the grade of the balance.
+    satellite_mass, rotor_mass : float, optional
+        Mass of a satellite with its bearing, needed for a balance, and of all that turns, kg.
     input_speed : float, optional
-        Speed of the crank against the housing, rad/s, > 0; for balance and life.
+        Speed of the crank against the housing, rad/s, > 0; needed for balance and life.
     bearing_speeds : tuple of float, optional
-        Speed of the crank against what each bearing sits in, rad/s, where that is not the housing;
-        one that does not turn has no life.
+        Speed of the crank against the seat of each bearing, rad/s, if a seat turns against the
+        housing; a bearing at speed 0 has no life.
     torque_direction : {"driving", "reverse", "alternating"}
-        Of both directions the worse counts.
+        Direction of the torque, the worse one if alternating.
     made : callable, optional
-        Forces of the mechanism as it is made, see `core.output.real_turn.sampled`.
-
-    Returns
-    -------
-    Crankshaft
-
-    Raises
-    ------
-    InvalidInput
-        If a size is out of range.
-    ImpossibleMechanism
-        If the mechanism has a dead centre.
-
-    Notes
-    -----
-    Derived. The load of the input drive itself is left out, but for its torque.
+        Forces of the mechanism as made, see `core.output.real_turn.sampled`; by default ideal ones,
+        shared equally by the satellites.
 
     Examples
     --------
@@ -215,9 +181,7 @@ def crankshaft(
 
 @dataclass(frozen=True, slots=True)
 class _Reactions:
-    """Largest and equivalent reaction of both bearings and their error, N; 0 where that is all
-    there is.
-    """
+    """Reactions of both bearings and their error, N; reactions within their error are 0."""
 
     most: FloatArray
     equivalent: FloatArray
@@ -235,7 +199,7 @@ def _reactions(
     shares: FloatArray,
     exponents: list[float],
 ) -> _Reactions:
-    """By the forces of the pins, of each choice of what the satellites share."""
+    """Largest reactions over the directions of the torque and the choices of shares."""
     rho = float(mesh.radial_force_ratio)
     unbalanced, still = (np.array(spun.reaction), spun.rounding) if spun else (STILL, 0.0)
     most, equivalent, off = np.zeros(2), np.zeros(2), np.zeros(2)
@@ -258,22 +222,22 @@ def _reactions(
 
 
 STILL: ComplexArray = np.zeros(2, dtype=complex)
-"""Reactions to what is not balanced, N, of what does not turn."""
+"""Reactions to the unbalance, N, of a shaft that does not turn."""
 
 
 def _cranks(angles: tuple[float, ...]) -> ComplexArray:
-    """Directions of the cranks in the crank's frame."""
+    """Directions of the cranks in the crank's frame, as complex numbers."""
     found: ComplexArray = np.exp(1j * np.array(angles))
     return found
 
 
 @dataclass(frozen=True, slots=True)
 class ReactionCurves:
-    """Reactions at crank angles, in the crank's frame."""
+    """Reactions over the crank angle, in the crank's frame."""
 
     crank_angle: FloatArray  # rad, shape (n,)
-    # Of both bearings, N, shape (n, 2): along the direction from which crank angles are counted,
-    # and i times that ahead of it.
+    # Reactions of both bearings, N, shape (n, 2): real part along the direction of crank angle 0,
+    # imaginary part a right angle ahead of it.
     reaction: ComplexArray
 
 
@@ -290,19 +254,13 @@ def reaction_curves(
     Parameters
     ----------
     loads : BearingCurves
-        Of the satellites' bearings, see `core.crank.satellite_bearing.bearing_curves`.
-    crank_angles : tuple of float
-        Angle of each satellite's crank, rad.
-    satellite_positions : tuple of float
-        Middle planes z of the satellites along the shaft, m.
+        Loads without centrifugal forces, see `core.crank.satellite_bearing.bearing_curves`.
+    crank_angles, satellite_positions : tuple of float
+        Angle of each satellite's crank, rad, and its middle plane z along the shaft, m.
     bearing_positions : tuple of float
         Places A and B of the bearings, m.
     unbalanced : array, shape (2,)
-        What is added to them by what is not balanced, N; the loads are without it.
-
-    Returns
-    -------
-    ReactionCurves
+        Reactions to the unbalance, N, which are added.
     """
     load = (loads.along + 1j * loads.across) * _cranks(crank_angles)
     held = carried(positions=satellite_positions, bearings=bearing_positions)

@@ -1,9 +1,8 @@
-"""The largest load ratings that a rolling bearing of given outer sizes can have.
+"""Largest load ratings that a rolling bearing of given outer sizes can have.
 
-Rolling elements fill the gap between bore and outside, without rings and without a cage: no bearing
-of a catalogue has more. Of some 2,300 roller and 1,000 ball bearings of catalogues the rollers
-reach up to 0.89 of the dynamic bound and 0.98 of the static one, the balls 1.18 and 1.05 (contact
-at four points).
+The bounds take the gap between bore and outside as filled by rolling elements, without rings and
+cage. Of about 2,300 roller and 1,000 ball bearings of catalogues, rollers reach 0.89 of the dynamic
+and 0.98 of the static bound at most, balls 1.18 and 1.05 (four-point contact).
 """
 
 import math
@@ -13,34 +12,33 @@ from core.crank.bearing_life import Bearing
 from core.errors import InvalidInput
 
 HIGH: dict[Bearing, float] = {"ball": 1.2, "roller": 1.0}
-"""Share of the bounds above which a rating is higher than any that is known."""
+"""Share of the bounds above which a rating is higher than any known one."""
 
 IMPOSSIBLE: dict[Bearing, float] = {"ball": 1.5, "roller": 1.2}
-"""Share of the bounds above which there is no such bearing."""
+"""Share of the bounds above which no such bearing exists."""
 
 LOW = 0.05
 """Share of the bounds below which a rating may be typed in another unit."""
 
 MIN_LOAD: dict[Bearing, float] = {"ball": 0.01, "roller": 0.02}
-"""Least load over the dynamic rating under which rolling elements roll (catalogues of SKF)."""
+"""Least load over the dynamic rating at which rolling elements roll (catalogues of SKF)."""
 
 MOST_DYNAMIC, MOST_STATIC = 0.5, 1.0
-"""Load over dynamic and static rating above which the formula of the life does not hold
-(ISO 281)."""
+"""Load over dynamic and static rating above which the life formula is invalid (ISO 281)."""
 
 ROWS = 40
-"""Rows of balls that are looked at besides as many as the gap takes."""
+"""Numbers of rows of balls that are tried, besides the number that fits across the gap."""
 
 BORES = 64
-"""Bores that are looked at where the bore is not known."""
+"""Number of bores that are tried where the bore is unknown."""
 
 LARGE_BALL = 25.4e-3
-"""Diameter above which the rating of balls grows with another power, m."""
+"""Ball diameter above which the rating grows with another power, m."""
 
 
 @dataclass(frozen=True, slots=True)
 class Bounds:
-    """Largest ratings that fit into an envelope."""
+    """Largest load ratings that fit into an envelope."""
 
     dynamic: float  # C, N
     static: float  # C0, N
@@ -49,37 +47,14 @@ class Bounds:
 def largest_ratings(
     *, kind: Bearing, bore_diameter: float, outer_diameter: float, width: float
 ) -> Bounds:
-    """Largest load ratings of bearings of these sizes.
+    """Largest load ratings of a bearing of these sizes, in m.
 
-    Parameters
-    ----------
-    kind : {"ball", "roller"}
-        Rolling elements.
-    bore_diameter : float
-        Diameter d of the bore, m, > 0.
-    outer_diameter : float
-        Outer diameter D, m, > d.
-    width : float
-        Width B, m, > 0.
+    ``D_w = (D - d)/2, d_m = (D + d)/2, gamma = D_w/d_m, Z = pi/asin(gamma)``. Rollers:
+    ``C = 1.15*f_c*B^(7/9)*Z^(3/4)*D_w^(29/27)``, ``C0 = 44*(1 - gamma)*Z*B*D_w``; balls, with the
+    number of rows i that carries most: ``C = 1.3*f_c*i^0.7*Z^(2/3)*D_w^1.8``,
+    ``C0 = 16.5*pi*d_m*B``; in N and mm. The factors f_c are after ISO 281, the static ratings after
+    ISO 76.
 
-    Returns
-    -------
-    Bounds
-
-    Raises
-    ------
-    InvalidInput
-        If the bore is not smaller than the outside.
-
-    Notes
-    -----
-    ``D_w = (D - d)/2, d_m = (D + d)/2, gamma = D_w/d_m, Z = pi/asin(gamma)``. Rollers
-    ``C = 1.15*f_c*B^(7/9)*Z^(3/4)*D_w^(29/27)``, ``C0 = 44*(1 - gamma)*Z*B*D_w``; balls of the
-    number of rows that carries most ``C = 1.3*f_c*i^0.7*Z^(2/3)*D_w^1.8``, ``C0 = 16.5*pi*d_m*B``;
-    in N and mm. The factors f_c are after ISO 281, those of the static ratings after ISO 76.
-
-    Examples
-    --------
     >>> round(largest_ratings(
     ...     kind="ball", bore_diameter=25e-3, outer_diameter=52e-3, width=15e-3).dynamic)
     31124
@@ -99,7 +74,7 @@ def largest_ratings(
         count = math.pi / math.asin(gamma)
         dynamic = 1.15 * _roller_factor(gamma) * wide ** (7 / 9) * count**0.75 * gap ** (29 / 27)
         return Bounds(dynamic, 44 * (1 - gamma) * count * wide * gap)
-    # balls that fill the gap carry more in more rows; beyond these their size falls faster
+    # More rows of balls that fill the gap carry more; with still more rows the balls shrink faster.
     most = {max(1, math.floor(wide / gap)), math.ceil(wide / gap)}
     rows = most.union(range(1, ROWS + 1))
     return Bounds(max(_balls(i, gap, middle, wide) for i in rows), 16.5 * math.pi * middle * wide)
@@ -108,24 +83,7 @@ def largest_ratings(
 def largest_ratings_of_room(
     *, kind: Bearing, least_bore: float, outer_diameter: float, width: float
 ) -> Bounds:
-    """Largest load ratings of bearings within a room, whatever their bore.
-
-    Parameters
-    ----------
-    kind : {"ball", "roller"}
-        Rolling elements.
-    least_bore : float
-        Least diameter of the bore, m, > 0.
-    outer_diameter : float
-        Outer diameter, m.
-    width : float
-        Width, m.
-
-    Returns
-    -------
-    Bounds
-        Each over all bores.
-    """
+    """Largest ratings of bearings in a room, m, each over all bores from the least one on."""
     bounds = [
         largest_ratings(
             kind=kind,
@@ -139,14 +97,14 @@ def largest_ratings_of_room(
 
 
 def _roller_factor(gamma: float) -> float:
-    """f_c of rollers."""
+    """Factor f_c of roller bearings."""
     other = math.pow(1.04 * ((1 - gamma) / (1 + gamma)) ** (143 / 108), 4.5)
     shape = math.pow(gamma, 2 / 9) * math.pow(1 - gamma, 29 / 27) / math.pow(1 + gamma, 0.25)
     return 207.9 * 0.83 * shape * math.pow(1 + other, -2 / 9)
 
 
 def _balls(rows: int, gap: float, middle: float, wide: float) -> float:
-    """Dynamic rating of so many rows of balls, as large as gap and width let them be, N."""
+    """Dynamic rating, N, of rows of balls as large as gap and width, mm, allow."""
     ball = min(gap, wide / rows)
     gamma = ball / middle
     count = math.pi / math.asin(gamma)

@@ -1,8 +1,7 @@
-"""Rolling bearings as rollers on the pins: their loads, ratings, speed and life.
+"""Rolling bearings as rollers on the output pins: loads, ratings, speed and life.
 
-The outer ring of a bearing on each pin rolls in the hole. Its load turns with the crank, not with
-the ring: whatever the ring does while nothing presses it, the life is that of the load over the
-turn.
+The outer ring of a bearing on each pin rolls in the hole. The load turns with the crank and not
+with the ring, so that the life follows from the load over the turn, also if an unloaded ring stops.
 """
 
 import math
@@ -23,52 +22,34 @@ from core.precision import SEARCHED
 RollerKind = Literal["ball", "cylindrical", "needle"]
 
 Ratings = Literal["bearing", "roller"]
-"""Whether load ratings are those of a bearing in a rigid seat, or of a roller whose outer ring is
-carried by nothing but its rolling elements."""
+"""Meaning of load ratings: of a bearing in a rigid seat, or of a roller whose outer ring is
+carried by its rolling elements only."""
 
 KINDS: dict[RollerKind, Bearing] = {"ball": "ball", "cylindrical": "roller", "needle": "roller"}
 """Rolling elements by the kind of roller."""
 
 FRICTION: dict[RollerKind, float] = {"ball": 0.0015, "cylindrical": 0.0020, "needle": 0.0030}
-"""Friction coefficient at the bore, of catalogues, where none is given."""
+"""Friction coefficient at the bore by catalogues, used where none is given."""
 
 TILT: dict[RollerKind, float] = {"ball": 1.0e-3, "cylindrical": 0.4e-3, "needle": 0.1e-3}
-"""Slope of a pin that the life of its rollers is made for, rad (Tribology Handbook, A22)."""
+"""Slope of a pin that the life of its rollers allows, rad (Tribology Handbook, A22)."""
 
 MIN_LOAD = 0.0167
-"""Least load of a track roller over its static rating, that its outer ring turns (SKF)."""
+"""Least load of a track roller over its static rating at which its outer ring turns (SKF)."""
 
 UNKNOWN_ELEMENTS: dict[Bearing, tuple[float, float]] = {"ball": (0.6, 0.5), "roller": (0.33, 0.25)}
 """Shares of C and C0 where the number of rolling elements is not known."""
 
 
 def unsupported_shares(*, kind: Bearing, elements: int | None) -> tuple[float, float]:
-    """Shares of the ratings of a bearing that are left where no seat holds its outer ring.
+    """Shares of C and C0 that a bearing keeps where no seat holds its outer ring; `elements` is Z.
 
-    A lower bound: only the two elements next to the load carry. The dynamic one follows from the
-    load-zone integral of the ring that stands still against the load (Lundberg and Palmgren): of
-    balls ``(13*Z/6)^0.3/(0.3894*Z)``, of rollers ``(2.75*Z)^(2/9)/(0.3637*Z)``; the static one is
-    5/Z; neither is above 1.
+    The shares are a derived lower bound: only the two elements next to the load carry. The dynamic
+    share follows from the load-zone integral of the ring that stands still against the load
+    (Lundberg and Palmgren): ``(13*Z/6)^0.3/(0.3894*Z)`` for balls, ``(2.75*Z)^(2/9)/(0.3637*Z)``
+    for rollers. The static share is 5/Z; neither is above 1. A hole supports the ring better than
+    this, and ratings that makers state for track rollers include the effect.
 
-    Parameters
-    ----------
-    kind : {"ball", "roller"}
-        Rolling elements.
-    elements : int or None
-        Their number Z.
-
-    Returns
-    -------
-    tuple of float
-        Of the dynamic and of the static rating.
-
-    Notes
-    -----
-    Derived. A hole hugs the ring more than this says; makers of track rollers state ratings of
-    their own, which have all of it in them.
-
-    Examples
-    --------
     >>> [round(each, 3) for each in unsupported_shares(kind="ball", elements=8)]
     [0.755, 0.625]
     """
@@ -83,40 +64,41 @@ def unsupported_shares(*, kind: Bearing, elements: int | None) -> tuple[float, f
 
 @dataclass(frozen=True, slots=True)
 class PinRollers:
-    """Rollers on the pins: the one that is loaded most. What rests on a rating or a speed that is
-    not given raises `NotKnown`.
+    """Loads, ratings and life of the most loaded roller on the pins.
+
+    Results that need a rating or a speed raise `NotKnown` without it.
     """
 
-    elements: Bearing  # what rolls
-    input_speed: float | None  # of the crank, rad/s
-    waves_per_turn: float  # turns of the crank against the output link for one of it
+    elements: Bearing  # rolling elements
+    input_speed: float | None  # speed of the crank, rad/s
+    waves_per_turn: float  # turns of the crank against the output link per turn of the crank
     eccentricity: float  # e, m
-    pin_radius: float  # r_s of what touches the hole, m
-    peak_load: float  # F of a roller over the turn, N
-    static_load: float  # the same at the peak torque, N
+    pin_radius: float  # outer radius r_s, m
+    peak_load: float  # largest F of a roller over the turn, N
+    static_load: float  # largest F at the peak torque, N
     equivalent_load: float  # <F^p>^(1/p) over the turn, N
-    shares: tuple[float, float]  # what is left of both ratings
+    shares: tuple[float, float]  # C_w/C and C_0w/C0
     dynamic_rating: float | None  # C, N
     static_rating: float | None  # C0, N
-    satellite: int  # of the equivalent load, from 1
-    pin: int  # from 1
-    accuracy: Accuracy  # of the loads; of the life p times that
+    satellite: int  # satellite with the largest equivalent load, from 1
+    pin: int  # pin with the largest equivalent load, from 1
+    accuracy: Accuracy  # accuracy of the loads; the error of the life is p times as large
     notices: tuple[Notice, ...]
 
     @property
     def speed(self) -> float:
-        """n_s of the outer ring on its pin, rad/s."""
+        """Speed n_s of the outer ring on its pin, rad/s."""
         speed = required(self.input_speed, "speed_missing", "load.input_speed")
         return speed * self.waves_per_turn * self.eccentricity / self.pin_radius
 
     @property
     def dynamic_rating_as_roller(self) -> float:
-        """C_w, N."""
+        """Dynamic rating C_w of the bearing as a roller, N."""
         return self.shares[0] * required(self.dynamic_rating, "rating_unknown")
 
     @property
     def static_rating_as_roller(self) -> float:
-        """C_0w, N."""
+        """Static rating C_0w of the bearing as a roller, N."""
         return self.shares[1] * required(self.static_rating, "rating_unknown")
 
     @property
@@ -134,7 +116,7 @@ class PinRollers:
 
 @dataclass(frozen=True, slots=True)
 class _Loads:
-    """Loads over the turn of the contact that is loaded most, N."""
+    """Loads over the turn of the most loaded contact, N."""
 
     peak: float
     equivalent: float
@@ -162,64 +144,36 @@ def pin_rollers(
     static_rating: float | None = None,
     rolling_elements: int | None = None,
 ) -> PinRollers:
-    """Loads, ratings and life of rolling bearings on the pins.
+    """Loads, ratings and life of rolling bearings on the output pins.
 
-    The outer ring of radius r_s rolls in the hole, so that it turns on its pin at
-    ``n_s = n*e/r_s``, n being the speed of the crank against the output link. With the force F of
-    its contact, 0 where it does not touch, ``P = <F^p>^(1/p)`` over the turn and
-    ``L = (C_w/P)^p`` million turns of n_s; of ideal forces with v = 1 and an even number of
-    evenly spaced phases ``P/F = (gamma((p + 1)/2)/(2*sqrt(pi)*gamma(p/2 + 1)))^(1/p)``.
+    The outer ring of radius r_s rolls in the hole and turns on its pin at ``n_s = n*e/r_s``, with
+    the speed n of the crank against the output link. With the force F of its contact, 0 while open,
+    ``P = <F^p>^(1/p)`` over the turn and ``L = (C_w/P)^p`` million turns of n_s. For ideal forces
+    with v = 1 and an even number of evenly spaced phases
+    ``P/F = (gamma((p + 1)/2)/(2*sqrt(pi)*gamma(p/2 + 1)))^(1/p)``. The rating takes the outer ring
+    as standing still against the load, so that its rotation factor is 1. Life: ISO 281:2007.
+    `ImpossibleMechanism` is raised at a dead centre.
 
     Parameters
     ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    force_exponent : float
-        Exponent v of the force over the approach.
     output_torque : float
-        Torque T on the output link, N*m, > 0.
-    pin_circle_radius : float
-        Radius R of the circle of pin centres, m, > 0.
+        Torque T on the output link, N*m.
     torque_direction : {"driving", "reverse", "alternating"}
-        Of both directions the worse counts.
+        Direction of made forces, the worse one if alternating; ideal forces are alike in both.
     made : callable, optional
-        Forces of the mechanism as it is made, see `core.output.real_turn.sampled`; else they are
-        the ideal ones.
-    eccentricity : float
-        Eccentricity e of the cranks, m, > 0.
+        Forces of the mechanism as made, see `core.output.real_turn.sampled`; by default ideal ones.
     pin_radius : float
-        Radius r_s of what touches the hole, m, > 0.
-    input_speed : float, optional
-        Speed of the crank, rad/s, > 0; without it there is no life.
+        Outer radius r_s of the roller, which touches the hole, m.
     peak_torque : float, optional
-        Torque of the static safety, N*m, > 0; T where not given.
-    kind : {"ball", "cylindrical", "needle"}
-        What rolls.
+        Torque of the static safety, N*m; by default T.
     ratings : {"bearing", "roller"}
-        What the ratings are of: a bearing in a rigid seat, of which `unsupported_shares` are left,
-        or a roller.
+        Meaning of the ratings; those of a bearing are reduced by `unsupported_shares`.
     per_satellite : int
         Rollers side by side under each satellite, which share its force.
     dynamic_rating, static_rating : float, optional
-        Ratings C and C0 of one of them, N, > 0.
+        Ratings C and C0 of a single roller, N.
     rolling_elements : int, optional
         Number Z of balls or rollers.
-
-    Returns
-    -------
-    PinRollers
-
-    Raises
-    ------
-    InvalidInput
-        If a size is not positive.
-    ImpossibleMechanism
-        If the mechanism has a dead centre.
-
-    Notes
-    -----
-    Derived; ISO 281:2007 is the life. The factor of the turning outer ring is 1: the share that is
-    left of the rating is that of a ring which stands still against the load.
 
     Examples
     --------
@@ -281,7 +235,7 @@ def pin_rollers(
 
 
 def _ideal(mechanism: Mechanism, exponent: float, reference: float, power: float) -> _Loads:
-    """Under ideal forces; each contact feels the same over the turn."""
+    """Loads under ideal forces, which are alike for every contact over the turn."""
     peak = force_peak(mechanism, exponent)
     turn = ideal_turn(
         reference, mechanism=mechanism, force_exponent=exponent, pin_circle_radius=1.0
@@ -296,7 +250,7 @@ def _ideal(mechanism: Mechanism, exponent: float, reference: float, power: float
 
 
 def _made(made: Made, ways: tuple[float, ...], torque: float, power: float) -> _Loads:
-    """Under the forces of the mechanism as it is made, in the worse direction."""
+    """Loads under the forces of the mechanism as made, in the worse direction."""
     found = []
     for way in ways:
         turn = made(way * torque)

@@ -1,7 +1,7 @@
-"""The force of the ring on a satellite: how much of it lies along the crank, and which way.
+"""Force of the ring on a satellite: the ratio of its part along the crank to its part across it.
 
-The part across the crank carries the torque. The part along it is `radial_force_ratio` times that,
-positive in the direction of the force of the output pins on the satellite: to the reducer's axis.
+The part across the crank carries the torque. The part along it is `radial_force_ratio` times as
+large, and positive towards the reducer's axis, as the force of the output pins on the satellite is.
 """
 
 import math
@@ -17,28 +17,28 @@ STEEP = math.radians(55)
 """Operating pressure angle above which the ring presses the satellite more than it turns it."""
 
 SERIES = 0.5
-"""K1 below which the cycloid's ratio is summed, as the closed form loses digits."""
+"""K1 below which the cycloid's ratio is summed as a series, as the closed form loses digits."""
 
 TERMS = 30
 
 
 @dataclass(frozen=True, slots=True)
 class RingMesh:
-    """The ratio rho of the ring's force along the crank to that across it."""
+    """Ratio rho of the ring's force along the crank to that across it."""
 
     radial_force_ratio: Number  # rho
-    error: float = 0.0  # of rho, over the larger one of it and 1: large where an angle is small
+    error: float = 0.0  # error of rho over max(|rho|, 1); large where the angle is small
     notices: tuple[Notice, ...] = ()
 
     @property
     def operating_pressure_angle(self) -> Number:
-        """alpha_w of involute teeth, rad."""
+        """Operating pressure angle alpha_w, rad; `NotKnown` unless the teeth are involute."""
         raise NotKnown("no_teeth")
 
 
 @dataclass(frozen=True, slots=True)
 class InvoluteMesh(RingMesh):
-    """The same of involute teeth."""
+    """Ratio rho and operating pressure angle of involute teeth."""
 
     operating_pressure_angle: Number = field(kw_only=True)  # alpha_w, rad
 
@@ -46,33 +46,12 @@ class InvoluteMesh(RingMesh):
 def involute_mesh(
     *, module: Number, teeth_difference: Number, pressure_angle: Number, eccentricity: Number
 ) -> InvoluteMesh:
-    """Involute teeth: the force along the crank has the direction of the pins' force.
+    """Ratio of involute teeth, positive: the ring's force along the crank adds to the pins' force.
 
-    ``rho = tan(alpha_w)``, ``cos(alpha_w) = m*(z3 - z2)*cos(alpha)/(2*e)``.
+    ``rho = tan(alpha_w)``, ``cos(alpha_w) = m*(z3 - z2)*cos(alpha)/(2*e)`` with the module m, m,
+    the reference pressure angle alpha, rad, and the eccentricity e, m. `InvalidInput` is raised if
+    the base circles leave no room for the eccentricity.
 
-    Parameters
-    ----------
-    module : float or array
-        Module m, m, > 0.
-    teeth_difference : float or array
-        ``z3 - z2``, > 0.
-    pressure_angle : float or array
-        Reference pressure angle alpha, rad.
-    eccentricity : float or array
-        Eccentricity e, m, > 0.
-
-    Returns
-    -------
-    InvoluteMesh
-        With a positive ratio.
-
-    Raises
-    ------
-    InvalidInput
-        If the base circles do not leave room for the eccentricity: the teeth cannot mesh.
-
-    Examples
-    --------
     >>> mesh = involute_mesh(module=3.5e-3, teeth_difference=1, eccentricity=2e-3,
     ...                      pressure_angle=math.radians(20))
     >>> round(math.degrees(mesh.operating_pressure_angle), 8)
@@ -102,35 +81,17 @@ def cycloid_mesh(
     ring_pin_circle_radius: Number,
     difference: int | None = None,
 ) -> RingMesh:
-    """A ring of pins: the force along the crank opposes that of the satellite's pins.
+    """Ratio of a ring of pins, negative: the force along the crank opposes that of the output pins.
 
-    ``rho = -(2 - (1 - K^2)/K*ln((1 + K)/(1 - K)))/(pi*K)``, ``K = e*(u + 1)/R_ring``, for many pins
-    that share as linear contacts do.
+    ``rho = -(2 - (1 - K^2)/K*ln((1 + K)/(1 - K)))/(pi*K)``, ``K = e*(u + 1)/R_ring``, derived for
+    many ring pins that share like linear contacts; a drive of kubakos with 30 pins has -0.351049 by
+    its sum and -0.343755 by this limit. `InvalidInput` is raised if K >= 1, as no such cycloid
+    exists.
 
     Parameters
     ----------
-    eccentricity : float or array
-        Eccentricity e, m, > 0.
-    ratio : float or array
-        Ratio u, > 0.
-    ring_pin_circle_radius : float or array
-        Radius of the circle of the ring's pins, m, above ``e*(u + 1)``.
     difference : int, optional
-        Pins of the ring less lobes of a satellite; above 1 it has a notice.
-
-    Returns
-    -------
-    RingMesh
-        With a negative ratio.
-
-    Raises
-    ------
-    InvalidInput
-        If K is not below 1: there is no such cycloid.
-
-    Notes
-    -----
-    Derived; a drive of kubakos with 30 pins has -0.351049 by its sum, -0.343755 by this limit.
+        Ring pins less lobes of a satellite; above 1 the result has a notice.
 
     Examples
     --------
@@ -161,5 +122,5 @@ def cycloid_mesh(
 
 
 def _plain(value: Number) -> Number:
-    """A number where there is one design."""
+    """Float of one design; arrays stay as they are."""
     return float(value) if np.ndim(value) == 0 else value

@@ -1,15 +1,16 @@
 """Load and life of the bearing of each satellite on its crank.
 
 All forces of the pins on a satellite act along its crank, towards the axis of the reducer: together
-they are ``S = sum F`` through its centre, besides the couple ``T_j = R*sum F*cos(gamma)``. The ring
-takes the couple: its force has the part ``W = T_j/(e*u)`` across the crank, as every normal of its
-teeth passes the pitch point, and a part ``rho*W`` along it. With involute teeth that part has the
-direction of S, with a cycloid ring the opposite one. In the crank's frame the load stands still but
-for its ripple:
+they are ``S = sum F`` through the satellite's centre and the couple ``T_j = R*sum F*cos(gamma)``.
+The ring takes the couple: the part of its force across the crank is ``W = T_j/(e*u)``, as every
+normal of the teeth passes the pitch point, and the part along the crank is ``rho*W``, in the
+direction of S for involute teeth and opposite to S for a cycloid ring. In the crank's frame the
+load of the bearing
 
     Q = hypot(W, rho*W + S - m*e*w_in^2)
 
-with the centrifugal force of the satellite, which relieves its bearing, where its mass is known.
+stands still except for a ripple; the centrifugal force of the satellite relieves the bearing, where
+the mass is known.
 """
 
 import math
@@ -47,32 +48,33 @@ from core.precision import ROUNDING, SEARCHED
 
 @dataclass(frozen=True)
 class SatelliteBearings:
-    """Load and life of the satellites' bearings; the last axis counts the satellites. What rests on
-    a rating, a speed or a slope that is not given raises `NotKnown`.
+    """Load and life of the satellites' bearings; the last axis of arrays counts the K satellites.
+
+    Results that need a rating, a speed or a slope raise `NotKnown` without it.
     """
 
-    given_speed: Number | None  # of a bearing's rings against each other, rad/s
+    given_speed: Number | None  # speed of a bearing's rings against each other, rad/s
     mesh: RingMesh  # the ring's force along the crank
-    # rho of the ring's force along the crank to that across it; its mean where that is solved.
+    # rho of the ring's force along the crank to that across it; the mean over the turn where the
+    # mesh of the ring is solved.
     radial_force_ratio: Number
     peak_load: FloatArray  # largest over the turn, N, shape (..., K)
-    min_load: FloatArray  # least, of a satellite that carries least, N, shape (..., K)
-    equivalent_load: FloatArray  # P, the factor of the rings in it, N, shape (..., K)
-    lesser_load: FloatArray  # the same of one that does not carry most, N, shape (..., K)
-    peak_ring_force: FloatArray  # largest resultant of the ring on each, N, shape (..., K)
+    min_load: FloatArray  # least over the turn, with the smaller share, N, shape (..., K)
+    equivalent_load: FloatArray  # P, ring factor V included, N, shape (..., K)
+    lesser_load: FloatArray  # P with the smaller share of the torque, N, shape (..., K)
+    peak_ring_force: FloatArray  # largest force of the ring on each satellite, N, shape (..., K)
     static_loads: Callable[[], FloatArray]  # largest at the peak torque, N, shape (..., K)
     kind: Bearing  # rolling elements
     dynamic_rating: Number | None  # C, N
     static_rating: Number | None  # C0, N
-    reliability_percent: float  # at which lives are asked
-    weibull_slope: Number | None  # of the distribution of lives
-    load_accuracy: Accuracy  # of the loads, over those of the satellite that carries most
-    # Of the ring, of satellites that carry nothing, and of what is hardly known.
-    notices: tuple[Notice, ...]
+    reliability_percent: float  # required reliability
+    weibull_slope: Number | None  # slope beta of the distribution of lives
+    load_accuracy: Accuracy  # accuracy of loads over those of the most loaded satellite
+    notices: tuple[Notice, ...]  # notices of the ring, idle satellites and poorly known results
 
     @property
     def operating_pressure_angle(self) -> Number:
-        """alpha_w of involute teeth, rad."""
+        """Operating pressure angle alpha_w of involute teeth, rad."""
         return self.mesh.operating_pressure_angle
 
     @property
@@ -88,26 +90,24 @@ class SatelliteBearings:
         return 1e6 * 2 * math.pi / np.asarray(self.relative_speed)[..., None]
 
     def _turns(self, load: FloatArray) -> FloatArray:
-        """Lives under equivalent loads, in million turns."""
+        """Lives under equivalent loads, in millions of turns."""
         rating = required(self.dynamic_rating, "rating_unknown", "bearing.dynamic_rating")
         return _lives(load, rating=rating, kind=self.kind)
 
     @derived
     def basic_life(self) -> FloatArray:
-        """Time that 90 % of such bearings reach, s, shape (..., K); infinite of a satellite that
-        carries nothing.
-        """
+        """Time that 90 % of such bearings reach, s, shape (..., K); infinite if unloaded."""
         turns = self._turns(self.equivalent_load)
         return self._turning * turns
 
     @derived
     def life(self) -> FloatArray:
-        """The same at the reliability asked, s, shape (..., K)."""
+        """Life at the required reliability, s, shape (..., K)."""
         return reliability_factor(percent=self.reliability_percent) * self.basic_life
 
     @derived
     def static_safety_factor(self) -> FloatArray:
-        """Static rating over the largest load, shape (..., K); infinite likewise."""
+        """Static rating over largest load, shape (..., K); infinite for an unloaded bearing."""
         given = required(self.static_rating, "rating_unknown", "bearing.static_rating")
         check_positive(static_rating=given)
         static, rating = self.static_loads(), np.asarray(given, dtype=np.float64)[..., None]
@@ -115,16 +115,16 @@ class SatelliteBearings:
 
     @derived
     def system_life(self) -> Number:
-        """Life of all of them together at that reliability, s, shape (...)."""
-        life = self.life  # without it its own reason counts
+        """Life of all bearings together at the required reliability, s, shape (...)."""
+        life = self.life  # comes first, so that a life that is not known gives its own reason
         slope = required(self.weibull_slope, "rating_unknown", "bearing.weibull_slope")
         factor = reliability_factor(percent=self.reliability_percent)
         return _together(life, factor * self._turning * self._turns(self.lesser_load), slope)
 
     @derived
     def accuracy(self) -> Accuracy:
-        """Of all numbers, over those of the satellite that carries most; where there are lives, the
-        error of the loads times their exponent.
+        """Accuracy of all numbers over those of the most loaded satellite; lives multiply the error
+        of the loads by their exponent.
         """
         error = self.load_accuracy.relative_error
         if is_known(lambda: self.life):
@@ -155,66 +155,35 @@ def satellite_bearings(
 ) -> SatelliteBearings:
     """Load and life of the satellites' bearings under the forces of the pins.
 
-    The forces are the ideal ones, shared equally by the satellites; with `made` those of the
-    mechanism as it is made. The inner ring turns at ``w_in*(1 + 1/u)`` against the outer one,
-    and the load stands still against the crank: ``P = V*<Q^p>^(1/p)`` over the turn of the wave,
-    ``L10 = (C/P)^p``.
+    The inner ring turns at ``w_in*(1 + 1/u)`` against the outer one, and the load stands still
+    against the crank: ``P = V*<Q^p>^(1/p)`` over the turn of the wave, ``L10 = (C/P)^p`` (ISO
+    281:2007). Source of the forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10).
+    `ImpossibleMechanism` is raised at a dead centre.
 
     Parameters
     ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    force_exponent : float
-        Exponent v of the force over the approach.
     output_torque : float or array
-        Torque T on the output link, N*m, > 0.
-    pin_circle_radius : float or array
-        Radius R of the circle of pin centres, m, > 0.
-    eccentricity : float or array
-        Eccentricity e of the cranks, m, > 0.
-    mesh : RingMesh
-        The ring's force along the crank.
+        Torque T on the output link, N*m, without an application factor.
     input_speed : float or array, optional
         Speed w_in of the crank against the ring, rad/s; without it, or at 0, there is no life.
     distribution_factor : float
-        Factor K_alpha of one satellite's share, from 1 to K, where that is stated: every bearing is
-        judged as the one that carries K_alpha/K of the torque, the least load as one of the others,
-        and together they last as with the worst choice of that one. Of ideal forces.
+        Load-sharing factor K_alpha of the satellites, from 1 to K, for ideal forces: every bearing
+        is judged as the one that carries K_alpha/K of the torque, the least load is that of
+        another, and the life of all together is that of the worst choice.
     centrifugal : float or array
-        Centrifugal force ``m*e*w_in^2`` of a satellite with its bearing, N, >= 0. The static safety
-        is the least with it and at rest.
-    kind : {"ball", "roller"}
-        Rolling elements.
-    dynamic_rating, static_rating : float or array, optional
-        Basic load ratings C and C0, N, > 0.
-    reliability_percent : float
-        90, 95, 96, 97, 98 or 99.
+        Centrifugal force ``m*e*w_in^2`` of a satellite with its bearing, N; the static safety is
+        the smaller one with it and at rest.
     ring_factor : float or array
-        Factor V of the load for the ring that turns against it, > 0.
+        Factor V of the load, for the ring that turns against it, > 0.
     weibull_slope : float or array, optional
-        Slope of the distribution of lives, for the life of all of them together.
+        Slope of the distribution of lives, for the life of all bearings together.
     peak_torque : float or array, optional
-        Torque of the static safety, N*m, > 0; T where not given. The life takes T as it is, without
-        an application factor.
+        Torque of the static safety, N*m; by default T.
     torque_direction : {"driving", "reverse", "alternating"}
-        Of both directions the worse counts. Ideal forces load the bearings alike in both.
+        Direction of made forces, the worse one if alternating; ideal forces are alike in both.
     made : callable, optional
-        Forces of the mechanism as it is made, see `core.output.real_turn.sampled`; of one design.
-
-    Returns
-    -------
-    SatelliteBearings
-
-    Raises
-    ------
-    InvalidInput
-        If a size is out of range.
-    ImpossibleMechanism
-        If the mechanism has a dead centre.
-
-    Notes
-    -----
-    Derived; Yanchevskiy and Niekhoroshykh 2021, eq. (10) are the forces, ISO 281:2007 the life.
+        Forces of one design as made, see `core.output.real_turn.sampled`; by default ideal ones,
+        shared equally by the satellites.
 
     Examples
     --------
@@ -311,23 +280,10 @@ def satellite_bearings(
 
 
 def uneven_shares(*, satellites: int, distribution_factor: float) -> FloatArray:
-    """Shares of the torque over 1/K, where a satellite carries K_alpha/K of it and the others
-    evenly what is left: ``(K - K_alpha)/(K - 1)``.
+    """Shares of the torque over 1/K: K_alpha of one satellite, ``(K - K_alpha)/(K - 1)`` of others.
 
-    Parameters
-    ----------
-    satellites : int
-        Their number K.
-    distribution_factor : float
-        K_alpha, from 1 to K.
+    Shape (K, K) with a row for each choice of the satellite, or (1, K) of ones for K_alpha = 1.
 
-    Returns
-    -------
-    array, shape (K, K)
-        A row for each choice of that satellite; shape (1, K) where all are alike.
-
-    Examples
-    --------
     >>> uneven_shares(satellites=3, distribution_factor=2.0)[0].tolist()
     [2.0, 0.5, 0.5]
     """
@@ -338,7 +294,7 @@ def uneven_shares(*, satellites: int, distribution_factor: float) -> FloatArray:
 
 
 def _lives(load: FloatArray, *, rating: Number, kind: Bearing) -> FloatArray:
-    """Lives in million turns; infinite without a load."""
+    """Lives in millions of turns; infinite without a load."""
     capacity = np.asarray(rating, dtype=np.float64)[..., None]
     carrying = load > 0
     some = np.where(carrying, load, capacity)
@@ -348,8 +304,8 @@ def _lives(load: FloatArray, *, rating: Number, kind: Bearing) -> FloatArray:
 
 
 def _together(life: FloatArray, others: FloatArray, weibull_slope: Number) -> Number:
-    """Life of all bearings together, by the worst choice of the one that carries most: by the lives
-    that each has as that one, and as one of the others.
+    """Life of all bearings together for the worst choice of the most loaded one; `life` and
+    `others` are the lives of each bearing as the most loaded one and as another.
     """
     one = np.eye(life.shape[-1], dtype=bool)
     lives = np.where(one, life[..., None, :], others[..., None, :])
@@ -360,9 +316,7 @@ def _together(life: FloatArray, others: FloatArray, weibull_slope: Number) -> Nu
 
 @dataclass(frozen=True, slots=True)
 class _Loads:
-    """Largest, least and equivalent load of each satellite, and the largest force of the ring on
-    it, N; the ratio of that along the crank to that across it.
-    """
+    """Loads of each satellite's bearing, largest ring force, N, and ratio rho of that force."""
 
     most: FloatArray
     least: FloatArray
@@ -373,13 +327,13 @@ class _Loads:
 
 
 def _idle(loads: _Loads) -> list[Notice]:
-    """Which satellites carry nothing."""
+    """Notices of satellites that carry nothing."""
     idle = np.flatnonzero((loads.most == 0).reshape(-1, loads.most.shape[-1]).any(axis=0))
     return [Notice("satellite_idle", {"satellite": j + 1}) for j in idle.tolist()]
 
 
 def _idle_loads(loads: _Loads, centrifugal: Number) -> _Loads:
-    """Loads of bearings that only the centrifugal force of their satellite presses."""
+    """Loads of bearings under the centrifugal force of their satellites alone."""
     own = np.broadcast_to(np.asarray(centrifugal)[..., None], loads.mean.shape).astype(float)
     return replace(loads, most=own, least=own, mean=own, ring=0.0 * own)
 
@@ -394,7 +348,7 @@ def _ideal_loads(
     centrifugal: Number = 0.0,
     exponent: float,
 ) -> _Loads:
-    """Loads under the ideal forces, of all designs."""
+    """Loads under the ideal forces, for all designs."""
     turn = ideal_turn(
         1.0, mechanism=mechanism, force_exponent=force_exponent, pin_circle_radius=1.0
     )
@@ -404,7 +358,7 @@ def _ideal_loads(
     )
     rings = across * (rho + 1j) * turn.couple
     held = rings + across * along * turn.on_satellites.real - relief
-    off = mesh.error * max(1.0, float(np.abs(rho).max()))  # of W, which is no more than the load
+    off = mesh.error * max(1.0, float(np.abs(rho).max()))  # over W, which never exceeds the load
     ratio = mesh.radial_force_ratio
     return _loads([(turn, held, rings)], [turn.error + SEARCHED + off], ratio, exponent)
 
@@ -412,7 +366,7 @@ def _ideal_loads(
 def _made_loads(
     turns: list[SampledTurn], arm: float, mesh: RingMesh, centrifugal: float, exponent: float
 ) -> _Loads:
-    """Loads of the mechanism as it is made; of both directions the worse."""
+    """Loads under the forces of the mechanism as made, in the worse direction."""
     forces, errors, ratios = [], [], []
     for turn in turns:
         parts = made_parts(turn=turn, arm=arm, radial_force_ratio=float(mesh.radial_force_ratio))
@@ -431,8 +385,8 @@ def _loads(
     ratio: Number,
     exponent: float,
 ) -> _Loads:
-    """Loads by the forces that each bearing bears and those of the ring, shape (..., K, n), in each
-    direction; what is within their error nothing, is 0.
+    """Loads by the forces on each bearing and of the ring in each direction, shape (..., K, n);
+    loads within their error are 0.
     """
     rows = []
     for turn, held, ring in forces:
@@ -455,32 +409,26 @@ def _loads(
 
 @dataclass(frozen=True, slots=True)
 class MadeParts:
-    """Forces on the satellites of a mechanism as it is made, N, in the frame of each crank."""
+    """Forces on the satellites of a mechanism as made, N, in the frame of each crank."""
 
-    # Of pins and ring, shape (K, n): along the crank towards the axis, and i times that across,
-    # back against the rotation of the crank under a driving torque.
+    # Force of pins and ring, shape (K, n): real part along the crank towards the axis, imaginary
+    # part across it, against the rotation of the crank under a driving torque.
     load: ComplexArray
-    ring: ComplexArray  # of the ring alone, likewise
-    ratio: float  # of the ring's force along the cranks to that across them; its mean where solved
-    solved: bool = False  # whether the ring's force is solved; else it has the ratio that is given
+    ring: ComplexArray  # force of the ring alone, shape (K, n)
+    ratio: float  # ring's force along the cranks over that across; the mean if `solved`
+    solved: bool = False  # True if the mesh of the ring is solved; else the ratio is the given one
 
 
 def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> MadeParts:
-    """Forces on the satellites of a mechanism as it is made.
+    """Forces on the satellites of a mechanism as made, by the forces of the pins over a turn.
 
     Parameters
     ----------
-    turn : SampledTurn
-        Forces of the pins.
     arm : float
-        ``e*u``: of the ring's force about the satellite's centre, m.
+        Lever ``e*u`` of the ring's force about the satellite's centre, m.
     radial_force_ratio : float
-        Ratio rho of the ring's force along the crank to that across it: the teeth press apart
-        whichever flank carries. Of a ring whose mesh is solved it is not used.
-
-    Returns
-    -------
-    MadeParts
+        Ratio rho of the ring's force along the crank to the size of that across it, as teeth press
+        apart on either flank; not used if the mesh of the ring is solved.
     """
     if turn.of_ring is not None:
         along, turned = (turn.mean(each).sum() for each in (turn.of_ring.real, turn.of_ring.imag))
@@ -493,12 +441,12 @@ def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> M
 
 @dataclass(frozen=True, slots=True)
 class BearingCurves:
-    """Load of the satellites' bearings at crank angles, in the crank's frame."""
+    """Loads of the satellites' bearings over the crank angle, in the crank's frame."""
 
     crank_angle: FloatArray  # rad, shape (n,)
     across: FloatArray  # part across the crank, N, shape (n, K)
-    along: FloatArray  # part along it towards the reducer's axis, N, shape (n, K)
-    load: FloatArray  # both together, N, shape (n, K)
+    along: FloatArray  # part along the crank towards the reducer's axis, N, shape (n, K)
+    load: FloatArray  # resultant of both parts, N, shape (n, K)
 
 
 def bearing_curves(
@@ -512,34 +460,13 @@ def bearing_curves(
     crank_angle: FloatArray,
     torque_direction: Direction = "driving",
 ) -> BearingCurves:
-    """Load of the satellites' bearings under the ideal forces at given crank angles.
+    """Loads of the satellites' bearings under the ideal forces at crank angles, rad, shape (n,).
 
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio.
-    force_exponent : float
-        Exponent v of the force over the approach.
-    output_torque : float
-        Torque T on the output link, N*m.
-    pin_circle_radius : float
-        Radius R of the circle of pin centres, m.
-    eccentricity : float
-        Eccentricity e of the cranks, m.
-    radial_force_ratio : float
-        Ratio rho of the ring's force along the crank to that across it.
-    crank_angle : array, shape (n,)
-        Crank angles, rad.
-    torque_direction : {"driving", "reverse", "alternating"}
-        Of an alternating torque the driving one is shown.
-
-    Returns
-    -------
-    BearingCurves
-        In reverse the part across the crank is negative.
+    Parameters are as in `satellite_bearings`; an alternating torque is shown as driving. The part
+    across the crank is negative in reverse.
     """
     way = WAYS[torque_direction][0]
-    if way < 0:  # those pairs carry that would brake, as half a turn of the wave later
+    if way < 0:  # in reverse the other pairs carry, which drive half a turn of the wave later
         start = mechanism.initial_crank_angle + math.pi
         mechanism = replace(mechanism, initial_crank_angle=start)
     ratios = force_ratios(

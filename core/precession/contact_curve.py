@@ -1,9 +1,9 @@
-"""The curve of all contact points of one roller, and the places at which it is integrated.
+"""Curve of all contact points of one roller, and quadrature along it.
 
 In the plane of ``y = z + A*cos(phi1)`` and ``w = A*sin(phi1)`` the point (y, w) lies from the
 origin at the distance ``D = hypot(y, w)``, in the direction of the contact point turned by phi1:
-``cot(phi + phi1) = y/w`` and ``sin(phi) = -z*sin(phi1)/D``. So the curve has no pole in z, the
-slope of the unrolled curve is ``rho*dphi/dz = -rho*w/D^2``, and its length
+``cot(phi + phi1) = y/w`` and ``sin(phi) = -z*sin(phi1)/D``. The curve thus has no pole in z, the
+slope of the unrolled curve is ``rho*dphi/dz = -rho*w/D^2``, and the length
 
     s = integral sqrt(1 + (rho*w/(y^2 + w^2))^2) dy
 
@@ -24,7 +24,7 @@ from core.precision import ROUNDING
 
 
 class LinePoint(NamedTuple):
-    """An end of a contact line."""
+    """End of a contact line."""
 
     y: float  # from the steepest point of the curve, m
     z: float  # from the precession centre, m
@@ -32,43 +32,42 @@ class LinePoint(NamedTuple):
 
 
 class Limits(NamedTuple):
-    """Between what a contact line runs."""
+    """Ends of a contact line."""
 
-    start: LinePoint  # the end with the smaller z
-    end: LinePoint  # that with the larger
+    start: LinePoint  # end with the smaller z
+    end: LinePoint  # end with the larger z
     extent: float  # z_max - z_min, m, to more digits than the difference has
-    # Whether the limits are given in phi, so that all places of the line move with the curve, which
-    # is not known exactly; else in z, under which the curve moves.
+    # True if the limits are given in phi, so that all nodes move with the error of the curve; else
+    # the nodes keep their z.
     in_phi: bool
 
 
 @dataclass(frozen=True, slots=True)
 class Places:
-    """Places along a contact line: ``sum g*ds`` is the integral of a smooth g along it.
+    """Nodes along a contact line: ``sum g*ds`` is the integral of a smooth g along it.
 
-    The two ends come first and last. They stand for no length, but the length by which they may
-    move counts as an error there: that of the integral is ``sum |g|*ds_error``, besides g's own.
+    The first and the last node are the ends, with ds = 0; their ds_error is the length by which an
+    end may move. The error of an integral is ``sum |g|*ds_error`` plus the error of g.
     """
 
     y: FloatArray  # from the steepest point of the curve, m, shape (n,)
     z: FloatArray  # from the precession centre, m, shape (n,)
     ds: FloatArray  # length of the line that a place stands for, m, shape (n,)
     ds_error: FloatArray  # bound of its error, m, shape (n,)
-    z_error: FloatArray  # how far a place may lie elsewhere on the curve as given, m, shape (n,)
-    # Of (y, w)/sin(phi1) over its size, for the place taken, shape (n,).
-    direction_error: FloatArray
+    z_error: FloatArray  # error of z along the curve, m, shape (n,)
+    direction_error: FloatArray  # relative error of the vector (y, w)/sin(phi1), shape (n,)
 
 
 @dataclass(frozen=True, slots=True)
 class ContactCurve:
-    """The curve of all contact points of one roller."""
+    """Curve of all contact points of one roller."""
 
     roller_circle_radius: float  # R_C, m
     roller_radius: float  # rho, m
     position_angle: float  # phi1, rad
     angle_error: float  # bound of the error of phi1, rad
     scale: float  # A = R_C*(cos(theta) - u12)/sin(theta), m
-    scale_error: float  # relative, the condition of the input included
+    scale_error: float  # relative error of A, the condition of the input included
 
     @property
     def sine(self) -> float:
@@ -106,26 +105,14 @@ class ContactCurve:
         return (self.roller_radius / width) / (1 + (y / width) ** 2)
 
     def polar_angle(self, z: FloatArray) -> FloatArray:
-        """Polar angle phi at z, rad: continuous along the line, in (-pi, pi] somewhere on it."""
+        """Polar angle phi at z, rad, continuous along the line."""
         angle = math.remainder(self.position_angle, 2 * math.pi)
         principal: FloatArray = np.arctan2(-z * math.sin(angle), self.scale + z * math.cos(angle))
         continuous = np.arctan2(self.width, z + self.offset) - angle
         return principal + 2 * np.pi * np.rint((continuous - principal) / (2 * np.pi))
 
     def places(self, limits: Limits, *, loaded: bool = False) -> Places:
-        """Places at which to integrate along a line.
-
-        Parameters
-        ----------
-        limits : Limits
-            Between what the line runs.
-        loaded : bool
-            Whether the integrand also has a pole at z = 0 outside the line.
-
-        Returns
-        -------
-        Places
-        """
+        """Nodes of quadrature along a line; `loaded` grades them to the pole at z = 0 too."""
         y, z, dz = self._nodes(limits, loaded)
         ds = dz * np.hypot(1.0, self.slope(y))
         stretch, stretch_error, z_error, direction_error = (
@@ -137,9 +124,9 @@ class ContactCurve:
         return Places(y, z, ds, ds_error, z_error, direction_error)
 
     def _errors_in_z(self, y: FloatArray) -> tuple[FloatArray, ...]:
-        """Largest ds/dz at places kept in z; errors of ds/dz, z and the direction of (y, w).
+        """Largest ds/dz at nodes fixed in z; errors of ds/dz, of z and of the direction of (y, w).
 
-        The steep part of the curve may be nearer to them by the error of (y, w).
+        The steep part of the curve may be nearer to a node by the error of (y, w).
         """
         y = np.maximum(np.abs(y) - self.point_error, 0.0)
         direction_error = self.point_error / np.hypot(y, self.width)
@@ -150,13 +137,13 @@ class ContactCurve:
         return stretch, slope / stretch * slope_error, np.zeros_like(y), turned
 
     def _errors_in_phi(self, y: FloatArray) -> tuple[FloatArray, ...]:
-        """As `_errors_in_z`, at places kept in phi, which grow with A, and move with phi1."""
+        """Values of `_errors_in_z` at nodes fixed in phi, which move with A and phi1."""
         stretch = np.hypot(1.0, self.slope(y))
         z_error = self.angle_error * np.hypot(y, self.width) / abs(self.sine)
         return stretch, self.width_error / stretch, z_error, np.zeros_like(y)
 
     def _nodes(self, limits: Limits, loaded: bool) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Ends and nodes of the quadrature: y, z and weights along z, m."""
+        """Coordinates y and z of ends and quadrature nodes, and weights along z, m."""
         start, end, extent, _ = limits
         height = abs(self.width)
         panels = []
@@ -186,35 +173,11 @@ class ContactCurve:
 def axial_scale(
     *, roller_circle_radius: float, nutation_angle: float, ratio_u12: float
 ) -> tuple[float, float]:
-    """``A = R_C*(cos(theta) - u12)/sin(theta)``: the z at which the pitch cone has radius R_C.
+    """Signed ``A = R_C*(cos(theta) - u12)/sin(theta)``, m, and its relative error by rounding.
 
-    Parameters
-    ----------
-    roller_circle_radius : float
-        R_C, m.
-    nutation_angle : float
-        Nutation angle theta, rad.
-    ratio_u12 : float
-        Ratio u12, dimensionless.
-
-    Returns
-    -------
-    scale : float
-        A, m, with its sign.
-    relative_error : float
-        Of A: that of the input's rounding, which the difference magnifies.
-
-    Raises
-    ------
-    InvalidInput
-        If the radius or the angle is out of range.
-    ImpossibleMechanism
-        If cos(theta) = u12.
-
-    Notes
-    -----
-    cos(theta) - 1 is taken as ``-2*sin(theta/2)^2``, which keeps the digits of a small angle. A
-    whole number as the ratio is taken to be meant exactly.
+    A is the z at which the pitch cone has the radius R_C; `ImpossibleMechanism` is raised for
+    cos(theta) = u12. The difference uses ``-2*sin(theta/2)^2`` for cos(theta) - 1, which keeps the
+    digits of small angles. A whole number as the ratio counts as exact.
     """
     if not roller_circle_radius > 0:
         raise InvalidInput("roller_circle_radius", roller_circle_radius, "greater_than", limit=0)

@@ -1,4 +1,4 @@
-"""Contact lines of the precessional gear's rollers: where they run and how long they are."""
+"""Contact lines of the precessional gear's rollers: their course and their length."""
 
 import math
 from collections.abc import Sequence
@@ -25,15 +25,15 @@ from core.precision import ROUNDING
 class ContactLine:
     """Contact line of one roller."""
 
-    curve: ContactCurve  # that the line is a part of
-    limits: Limits  # between what it runs
-    places: Places  # at which to integrate along it
+    curve: ContactCurve  # curve that contains the line
+    limits: Limits
+    places: Places  # nodes of quadrature along the line
     phi_min: float  # smallest polar angle, rad, at one of its ends
     phi_max: float  # largest, rad, at the other
     length: float  # s, m
-    relative_error: float  # of the length
-    arm_sign: int  # of the arm -R_C*sin(phi) about the axis; 0 where the line reaches phi = 0
-    flank: int  # half-turns by which it lies from the one that the curve's polar angle gives
+    relative_error: float  # relative error of the length
+    arm_sign: int  # sign of the arm -R_C*sin(phi) about the axis; 0 if the line reaches phi = 0
+    flank: int  # half-turns added to the polar angle of the curve
 
     @property
     def position_angle(self) -> float:
@@ -56,8 +56,8 @@ class ContactLines:
     """Contact lines of the rollers."""
 
     lines: tuple[ContactLine, ...]  # one for each roller, in their order
-    total_length: float  # of all of them, m
-    accuracy: Accuracy  # of `total_length`; each line states its own
+    total_length: float  # sum of their lengths, m
+    accuracy: Accuracy  # accuracy of `total_length`; each line states its own error
     notices: tuple[Notice, ...]
 
 
@@ -72,44 +72,27 @@ def contact_lines(
 ) -> ContactLines:
     """Contact lines of rollers: ``z = -A*sin(phi)/sin(phi + phi1)`` and their lengths.
 
-    Every z has two contact points, phi and phi + pi, on the two flanks of the roller. The
-    lengths of both are equal. Limits in z with a `torque_sign` choose the loaded flank, the one
-    whose arm ``-R_C*sin(phi)`` about the axis has the torque's sign.
+    Every z has two contact points, phi and phi + pi, on the two flanks of the roller, with lines of
+    equal length. Limits in z with a `torque_sign` select the loaded flank, whose arm
+    ``-R_C*sin(phi)`` about the axis has the sign of the torque. `InvalidInput` is raised if
+    sin(phi1) = 0, or if limits lie at or across a pole ``phi + phi1 = 0, pi, ...``;
+    `ImpossibleMechanism` if cos(theta) = u12, and with a torque sign if a line reaches z = 0, where
+    phi and the arm are zero and the loaded flank changes.
+
+    Source: Khatetovsky et al. 2020, eqs (1)-(7). Errata: (1) ends in "= 0"; the slope (5) has the
+    sign opposite to the derivative ``dz/dphi = -A*sin(phi1)/sin(phi + phi1)^2`` and cancels digits.
 
     Parameters
     ----------
-    roller_circle_radius : float
-        Radius R_C of the circle of roller axes, m.
-    roller_radius : float
-        Radius rho of a roller, m, below R_C.
+    roller_circle_radius, roller_radius : float
+        Radius R_C of the circle of roller axes and radius rho < R_C of a roller, m.
     nutation_angle : float
         Nutation angle theta, rad, 0 < theta < pi/2.
     ratio_u12 : float
-        Ratio u12 with the input shaft held, dimensionless.
-    rollers : sequence of RollerByLength or RollerByAngle
-        The rollers, at least one.
+        Ratio u12 with the input shaft held.
     torque_sign : int, optional
-        1 or -1: sign of the torque on the central wheel. Without it limits in z give the flank
+        Sign 1 or -1 of the torque on the central wheel. Without it limits in z give the flank
         ``phi = atan2(-z*sin(phi1), A + z*cos(phi1))``.
-
-    Returns
-    -------
-    ContactLines
-
-    Raises
-    ------
-    InvalidInput
-        If a size is out of range, sin(phi1) = 0, a working length is not positive, limits lie
-        at or across a pole ``phi + phi1 = 0, pi, ...``.
-    ImpossibleMechanism
-        If cos(theta) = u12: then there is no contact line. Or if, with a torque sign, a line
-        reaches z = 0: phi = 0 there, the arm is zero and the loaded flank changes.
-
-    Notes
-    -----
-    Source: Khatetovsky et al. 2020, eqs (1)-(7). Errata: (1) ends in "= 0", and their slope (5)
-    has the sign opposite to its derivative, besides being a difference that cancels; it is
-    ``dz/dphi = -A*sin(phi1)/sin(phi + phi1)^2``.
 
     Examples
     --------
@@ -164,7 +147,7 @@ def contact_lines(
 def _contact_line(
     curve: ContactCurve, roller: Roller, index: int, torque_sign: int | None
 ) -> ContactLine:
-    """Contact line of one roller, on the loaded flank or on the one that its limits name."""
+    """Contact line of one roller, on the loaded flank or on the flank that its limits name."""
     limits = (
         _limits_in_z(curve, roller, index)
         if isinstance(roller, RollerByLength)
@@ -210,7 +193,7 @@ def _limits_in_z(curve: ContactCurve, roller: RollerByLength, index: int) -> Lim
 
 
 def _limits_in_phi(curve: ContactCurve, roller: RollerByAngle, index: int) -> Limits:
-    """``z = -A*sin(phi)/sin(phi + phi1)``, ``y = w*cot(phi + phi1)``, and their difference."""
+    """Ends ``z = -A*sin(phi)/sin(phi + phi1)``, ``y = w*cot(phi + phi1)`` and their distance."""
     span = roller.phi_max - roller.phi_min
     if not span > SAME * max(abs(roller.phi_min), abs(roller.phi_max)):
         than = {"field": "phi_min", "limit": roller.phi_min}
@@ -245,7 +228,7 @@ def _limits_in_phi(curve: ContactCurve, roller: RollerByAngle, index: int) -> Li
 
 
 def _sine_and_cosine_of_sum(first: float, second: float) -> tuple[float, float]:
-    """Sine and cosine of a sum of angles without the rounding of the sum."""
+    """Sine and cosine of a sum of angles, corrected for the rounding of the sum."""
     total = first + second
     part = total - first
     lost = (first - (total - part)) + (second - part)
@@ -266,24 +249,11 @@ class ContactPoints:
 
 
 def contact_points(*, line: ContactLine, samples: int = 61) -> ContactPoints:
-    """Points of a contact line, denser where it is steep.
+    """Points of a contact line, at least 2, denser where the line is steep.
 
-    Parameters
-    ----------
-    line : ContactLine
-        The line.
-    samples : int
-        Number of points, at least 2.
-
-    Returns
-    -------
-    ContactPoints
-
-    Notes
-    -----
-    Source: Khatetovsky et al. 2020, eqs (1)-(3) and (21). Erratum: their (24) prints
-    ``- (R_C - rho*cos(phi))*cos(phi1)`` in r_1y where their own (21) has a plus sign; with the
-    minus the distance from the axis would depend on the frame.
+    Source: Khatetovsky et al. 2020, eqs (1)-(3) and (21). Erratum: r_1y in (24) has
+    ``- (R_C - rho*cos(phi))*cos(phi1)`` instead of the plus sign of (21), so that the distance from
+    the axis would depend on the frame.
     """
     curve = line.curve
     width = abs(curve.width)

@@ -11,25 +11,25 @@ from core.precision import ROUNDING
 
 @dataclass(frozen=True, slots=True)
 class LineContact:
-    """Contact of a roller and the tooth that it presses on, where the line load is largest."""
+    """Contact of a roller and a tooth where the line load is largest."""
 
     max_pressure: float  # p0, Pa
     half_width: float  # a of the contact, m
-    reduced_radius: float  # of curvature, m
+    reduced_radius: float  # rho, m
     effective_modulus: float  # E*, Pa
-    roller_material: ElasticMaterial  # of the roller
-    mating_material: ElasticMaterial  # of the tooth
+    roller_material: ElasticMaterial  # material of the roller
+    mating_material: ElasticMaterial  # material of the tooth
     accuracy: Accuracy
-    notices: tuple[Notice, ...]  # where the contact is wide for Hertz
+    notices: tuple[Notice, ...]  # a notice if the contact is too wide for Hertz
 
     @property
     def roller_safety(self) -> float:
-        """Limit of the roller's own material over the pressure."""
+        """Limit of the roller's material over the pressure."""
         return float(self.roller_material.known_limit.pressure) / self.max_pressure
 
     @property
     def mating_safety(self) -> float:
-        """The same of the tooth."""
+        """Limit of the tooth's material over the pressure."""
         return float(self.mating_material.known_limit.pressure) / self.max_pressure
 
 
@@ -44,39 +44,23 @@ def line_contact(
 ) -> LineContact:
     """Hertz contact of two cylinders: ``p0 = sqrt(q*E*/(pi*rho))``, ``a = sqrt(4*q*rho/(pi*E*))``.
 
-    ``1/rho = 1/r + 1/r_m`` of roller and tooth.
+    ``1/rho = 1/r + 1/r_m`` of roller and tooth. The curvature of the tooth is an input, as the
+    source of the gear, Khatetovsky et al. 2020, gives none. Source of the contact: Johnson, Contact
+    Mechanics, 4.2.
 
     Parameters
     ----------
     line_load : float
-        Load q per length, N/m, > 0.
-    roller_radius : float
-        Radius r of the roller, m, > 0.
+        Load q per length, N/m.
     mating_radius : float
-        Radius of curvature r_m of the tooth across the line, m: positive where it is convex,
-        negative, and larger than the roller's, where the roller lies in a hollow.
-    roller_material, mating_material : ElasticMaterial
-        Materials of roller and satellite.
+        Radius of curvature r_m of the tooth across the line, m: positive if convex, negative if the
+        roller lies in a hollow, which has to be larger than the roller.
     load_error : float
         Relative error of the load.
 
-    Returns
-    -------
-    LineContact
-
-    Raises
-    ------
-    InvalidInput
-        If load or roller radius are not positive, or the hollow is not larger than the roller.
-
-    Notes
-    -----
-    Source: Johnson, Contact Mechanics, 4.2; the curvature of the tooth is an input, as the source
-    of the gear, Khatetovsky et al. 2020, gives none.
-
     Examples
     --------
-    Two equal steel cylinders touch as one of half the radius does a plane.
+    Two equal steel cylinders touch like one of half the radius and a plane.
 
     >>> steel = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
     >>> found = line_contact(line_load=1e5, roller_radius=0.008, mating_radius=0.008,

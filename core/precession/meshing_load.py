@@ -4,8 +4,8 @@ With ``arm = -R_C*sin(phi)`` the direction of the load over its arm is free of a
 
     n_x/arm = A/(R_C*z),   n_y/arm = -y/(R_C*z*sin(phi1)),   y = z + A*cos(phi1)
 
-so that force and moment are integrals of rational functions of z times ds/dz, the same for both
-flanks of a roller, and smooth but for z = 0.
+Force and moment are thus integrals of rational functions of z times ds/dz, equal for both flanks of
+a roller and smooth except at z = 0.
 """
 
 import math
@@ -21,7 +21,7 @@ from core.precession.rollers import Roller
 from core.precision import ROUNDING
 
 SMALL_ARM = 0.1
-"""Arm over R_C below which the line load grows so steeply that lines in truth share it."""
+"""Arm over R_C below which the line load grows so steeply that real lines share it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,14 +29,14 @@ class MeshingLoad:
     """Load of the precessional gear's mesh."""
 
     force: Vector  # F on the satellite and, through it, on the input shaft, N
-    moment: Vector  # M_C about the point z = reference_z of the axis, N*m; its z is M1
+    moment: Vector  # M_C about the point z = reference_z of the axis, N*m; z component M1
     max_line_load: float  # largest load per length, N/m
-    total_length: float  # of the contact lines, m
-    lines: tuple[ContactLine, ...]  # on their loaded flanks
-    force_error: float  # bound, N
-    moment_error: float  # bound, N*m
-    # Of `force` over its size, or over M1/R_C where that is larger because the rollers' forces
-    # cancel out; of `moment` over its size, of `max_line_load` and `total_length`.
+    total_length: float  # length of all contact lines, m
+    lines: tuple[ContactLine, ...]  # lines on their loaded flanks
+    force_error: float  # bound of the error of `force`, N
+    moment_error: float  # bound of the error of `moment`, N*m
+    # Largest relative error of `moment`, `max_line_load`, `total_length` and `force`; the error of
+    # the force is over M1/R_C if that is larger, as the rollers' forces may cancel.
     accuracy: Accuracy
     notices: tuple[Notice, ...]
 
@@ -51,41 +51,22 @@ def meshing_load(
     torque: float,
     reference_z: float,
 ) -> MeshingLoad:
-    """Line load, force and moment of the mesh: ``q = M1/(sum s)/arm`` on every contact line.
+    """Line load ``q = M1/(sum s)/arm`` on every contact line, and force and moment of the mesh.
+
+    Parameters not listed and refusals are those of `contact_lines`; a line must not reach z = 0,
+    where its load is unbounded. Source: Khatetovsky et al. 2020, eqs (8)-(27). Erratum: (10) and
+    the middle step of (22) print ``n_y = cos(phi)``; the outward normal, also that of (25) and
+    (26), has ``-cos(phi)``, with which the arm is ``-R_C*sin(phi)`` in every frame turned about the
+    axis.
 
     Parameters
     ----------
-    roller_circle_radius : float
-        Radius R_C of the circle of roller axes, m.
-    roller_radius : float
-        Radius rho of a roller, m.
-    nutation_angle : float
-        Nutation angle theta, rad.
-    ratio_u12 : float
-        Ratio u12 with the input shaft held, dimensionless.
     rollers : sequence of RollerByLength or RollerByAngle
-        The rollers in mesh. Limits in z mean the loaded flank; limits in phi name a flank.
+        Rollers in mesh; limits in z mean the loaded flank, limits in phi name a flank.
     torque : float
-        Torque M1 on the central wheel, N*m, not 0; its sign chooses the flanks.
+        Torque M1 on the central wheel, N*m, not 0; its sign selects the loaded flanks.
     reference_z : float
         Place l of the point C on the axis, m from the precession centre.
-
-    Returns
-    -------
-    MeshingLoad
-
-    Raises
-    ------
-    InvalidInput
-        As `contact_lines`; if the torque is 0.
-    ImpossibleMechanism
-        As `contact_lines`; if a line reaches phi = 0 (z = 0), where its load is unbounded.
-
-    Notes
-    -----
-    Source: Khatetovsky et al. 2020, eqs (8)-(27). Erratum: (10), and the middle step of (22),
-    print ``n_y = cos(phi)``; the outward normal, and the one of their own (25), (26), has
-    ``-cos(phi)``, with which the arm is ``-R_C*sin(phi)`` in every frame turned about the axis.
 
     Examples
     --------
@@ -147,22 +128,7 @@ def meshing_load(
 
 
 def line_load(*, load: MeshingLoad, line: ContactLine, z: FloatArray) -> FloatArray:
-    """Load per length along a contact line: ``q = M1/(sum s)/(R_C*|sin(phi)|)``.
-
-    Parameters
-    ----------
-    load : MeshingLoad
-        The load.
-    line : ContactLine
-        One of its lines.
-    z : array
-        Places along the axis, m.
-
-    Returns
-    -------
-    array
-        N/m, as `z`.
-    """
+    """Line load, N/m, at places z, m, of a contact line: ``q = M1/(sum s)/(R_C*|sin(phi)|)``."""
     curve = line.curve
     factor = abs(load.moment[2]) / load.total_length / curve.roller_circle_radius
     q: FloatArray = factor * np.hypot(z + curve.offset, curve.width) / np.abs(z * curve.sine)
@@ -170,10 +136,7 @@ def line_load(*, load: MeshingLoad, line: ContactLine, z: FloatArray) -> FloatAr
 
 
 def _inverse_arms(line: ContactLine) -> tuple[FloatArray, FloatArray]:
-    """``R_C/|arm| = 1/|sin(phi)|`` at a line's places, and its relative error.
-
-    It is largest at one of the ends.
-    """
+    """``R_C/|arm| = 1/|sin(phi)|`` at a line's nodes, largest at an end, and its relative error."""
     curve, at = line.curve, line.places
     distance, z = np.hypot(at.y, curve.width), np.abs(at.z)
     place_error = at.z_error / z + at.z_error / distance
@@ -181,9 +144,8 @@ def _inverse_arms(line: ContactLine) -> tuple[FloatArray, FloatArray]:
 
 
 def _integrals(line: ContactLine, reference_z: float) -> list[float]:
-    """Integrals of ``R_C*(n_x, n_y, -n_y*(z - l), n_x*(z - l))/arm`` over ds, eqs (12) to (16).
-
-    Behind them the error of the first two together, and that of the others.
+    """Integrals of ``R_C*(n_x, n_y, -n_y*(z - l), n_x*(z - l))/arm`` over ds, eqs (12) to (16),
+    then the error of the first two together and of the other two together.
     """
     curve, at = line.curve, line.places
     n_x, n_y = curve.scale / at.z, -at.y / (at.z * curve.sine)

@@ -1,4 +1,4 @@
-"""Rollers of the precessional gear, one by one or as a wheel."""
+"""Rollers of the precessional gear, given one by one or as a wheel."""
 
 import math
 from dataclasses import dataclass
@@ -7,49 +7,39 @@ from core.errors import InvalidInput
 from core.precision import ROUNDING
 
 SAME = 8 * ROUNDING
-"""Relative difference below which two doubles stand for the same number."""
+"""Relative difference below which two doubles count as equal."""
 
 
 ANGLE_ROUNDING = 1.5 * ROUNDING
-"""Relative error of an angle given in degrees: it is rounded, and twice on its way to radians."""
+"""Relative error of an angle given in degrees: one rounding and two in the conversion."""
 
 
 @dataclass(frozen=True, slots=True)
 class RollerByLength:
-    """A roller and its working length."""
+    """Roller with a working length."""
 
     position_angle: float  # phi1, rad
     z_min: float  # ends of the working length, m from the precession centre
     z_max: float  # m
-    # Error of phi1 besides its own rounding, rad: that of the terms that it is the sum of.
+    # Error of phi1 besides its own rounding, rad: rounding of the terms that were added.
     position_error: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class RollerByAngle:
-    """A roller and the polar angles at which its contact line begins and ends."""
+    """Roller with the polar angles of the ends of its contact line."""
 
     position_angle: float  # phi1, rad
     phi_min: float  # polar angles of the ends, rad
     phi_max: float  # rad
-    position_error: float = 0.0  # as that of `RollerByLength`
+    position_error: float = 0.0  # error of phi1 besides its own rounding, rad
 
 
 Roller = RollerByLength | RollerByAngle
 
 
 def stands_in_line(position_angle: float) -> bool:
-    """Whether sin(phi1) = 0, within the rounding of the angle.
-
-    Parameters
-    ----------
-    position_angle : float
-        Position angle phi1, rad.
-
-    Returns
-    -------
-    bool
-    """
+    """True if sin(phi1) = 0 within the rounding of the position angle phi1, rad."""
     return abs(math.sin(position_angle)) <= SAME * max(1.0, abs(position_angle))
 
 
@@ -63,28 +53,17 @@ def wheel_rollers(
 ) -> tuple[RollerByLength, ...]:
     """Evenly spaced rollers of a wheel: ``phi1 = position_angle + 2*pi*i/rollers_total``.
 
-    Which flank of each is loaded follows from the torque's sign, see `contact_lines`.
+    The sign of the torque selects the loaded flank of each, see `contact_lines`. `InvalidInput` is
+    raised if one of the rollers in mesh stands where sin(phi1) = 0.
 
     Parameters
     ----------
-    rollers_total : int
-        Number z1 of rollers of the wheel, >= 1.
     position_angle : float
         Position angle phi1 of the first roller, rad.
     z_min, z_max : float
-        Ends of the working length, m.
+        Ends of the working length, m from the precession centre.
     rollers_in_mesh : int
-        How many of them touch the satellite, from the first one on.
-
-    Returns
-    -------
-    tuple of RollerByLength
-
-    Raises
-    ------
-    InvalidInput
-        If a number is below 1, more rollers are in mesh than there are, the working length is
-        not positive, or one of the rollers in mesh stands where sin(phi1) = 0.
+        Number of rollers that touch the satellite, from the first one on.
     """
     if rollers_total < 1:
         raise InvalidInput("rollers_total", rollers_total, "greater_than_equal", limit=1)

@@ -1,8 +1,8 @@
-"""The precessional gear's input shaft: its sections, the reactions on it, its diagrams.
+"""The precessional gear's input shaft: its sections, reactions and diagrams.
 
-The shaft is clamped at one end and free at the other, C; the satellite sits on it by two
-bearings, at C and at B, a distance a behind it towards the clamp, which is b behind B. Places
-along the shaft count from C.
+The shaft is clamped at one end and free at the other, C. The satellite sits on it by two bearings:
+one at C, and one at B, which is at a distance a from C and b from the clamp. Places along the shaft
+count from C.
 """
 
 import math
@@ -20,12 +20,12 @@ from core.precision import ROUNDING
 Plane = tuple[float, float]
 
 SAME_LENGTH = 16 * ROUNDING
-"""Relative difference up to which the lengths of the sections add up to the shaft's."""
+"""Relative difference up to which the lengths of the sections add up to the shaft's length."""
 
 
 @dataclass(frozen=True, slots=True)
 class ShaftSection:
-    """A stretch of the shaft of one diameter."""
+    """Stretch of the shaft of one diameter."""
 
     length: float  # m, > 0
     diameter: float  # m, > 0
@@ -35,41 +35,21 @@ class ShaftSection:
 class ShaftDiagram:
     """Shear force, bending moment and deflection along the shaft."""
 
-    # From C to the clamp, m, shape (n,); B occurs twice, before and after its load.
+    # Places from C to the clamp, m, shape (n,); B occurs twice, before and after its load.
     position: FloatArray
     shear_force: FloatArray  # N, shape (n, 2), in both planes: sum of the satellite's forces from C
-    bending_moment: FloatArray  # N*m, shape (n, 2): moment of those forces about the place
+    bending_moment: FloatArray  # N*m, shape (n, 2): moment of forces between C and the place
     deflection: FloatArray  # m, shape (n, 2)
 
 
 def bearing_reactions(
     *, force: Vector, moment: Vector, bearing_distance: float
 ) -> tuple[Plane, Plane]:
-    """Reactions at B and C: ``B = (-M_Cy, M_Cx)/a``, ``C = -F - B``.
+    """Reactions at B and C, N: ``B = (-M_Cy, M_Cx)/a``, ``C = -F - B``.
 
-    Parameters
-    ----------
-    force : tuple of float, shape (3,)
-        Force F of the mesh on the satellite, N.
-    moment : tuple of float, shape (3,)
-        Its moment about C, N*m.
-    bearing_distance : float
-        Distance a from C to B, m, > 0.
-
-    Returns
-    -------
-    reaction_b, reaction_c : tuple of float, shape (2,)
-        N.
-
-    Raises
-    ------
-    InvalidInput
-        If the distance is not positive.
-
-    Notes
-    -----
-    Source: Khatetovsky et al. 2020, eqs (28)-(31). Erratum: the paper solves (28) as
-    ``C_x = F_x - B_x``; with it the forces in x do not add up to zero.
+    The force F, N, of the mesh acts on the satellite, its moment M_C, N*m, is about C. Source:
+    Khatetovsky et al. 2020, eqs (28)-(31). Erratum: the paper solves (28) as ``C_x = F_x - B_x``,
+    with which the forces in x do not add up to zero.
     """
     if not bearing_distance > 0:
         raise InvalidInput("bearing_distance", bearing_distance, "greater_than", limit=0)
@@ -84,26 +64,7 @@ def shaft_stretches(
     youngs_modulus: float,
     shaft_sections: Sequence[ShaftSection],
 ) -> list[ShaftSection]:
-    """Check the shaft's sizes and give it as a list of sections.
-
-    Parameters
-    ----------
-    bearing_distance, overhang : float
-        Distances a and b, m; a has been checked with the reactions.
-    youngs_modulus : float
-        Young's modulus E, Pa.
-    shaft_sections : sequence of ShaftSection
-        The sections of the shaft from C to the clamp; one where it has one diameter.
-
-    Returns
-    -------
-    list of ShaftSection
-
-    Raises
-    ------
-    InvalidInput
-        If a size is not positive, or the lengths of the sections do not add up to a + b.
-    """
+    """Sections of the shaft, checked: sizes are positive, lengths add up to a + b."""
     for name, value in (("overhang", overhang), ("youngs_modulus", youngs_modulus)):
         if not value > 0:
             raise InvalidInput(name, value, "greater_than", limit=0)
@@ -129,37 +90,22 @@ def shaft_stretches(
 
 
 class ShaftPiece(NamedTuple):
-    """A stretch of the shaft of one diameter, with no load inside it."""
+    """Stretch of the shaft of one diameter without a load inside."""
 
-    behind_b: bool  # whether it lies between B and the clamp, not between C and B
-    # Its ends, m from the bearing in front of it: from B for a piece behind B, else from C.
-    near: float
-    far: float  # the other one, m
+    behind_b: bool  # True if it lies between B and the clamp, False between C and B
+    near: float  # nearer end, m from B for a piece behind B, else from C
+    far: float  # farther end, m from the same bearing
     length: float  # m, to more digits than the difference of the ends
     diameter: float  # m
-    from_b: float  # distance of its farther end from B, m
+    from_b: float  # distance of the end farther from B, m from B
 
 
 def shaft_pieces(
     *, sections: Sequence[ShaftSection], bearing_distance: float, overhang: float
 ) -> list[ShaftPiece]:
-    """Sections of the shaft, cut at B.
+    """Sections of the shaft from C to the clamp, cut at B.
 
-    Parameters
-    ----------
-    sections : sequence of ShaftSection
-        The shaft from C to the clamp.
-    bearing_distance, overhang : float
-        Distances a from C to B and b from B to the clamp, m.
-
-    Returns
-    -------
-    list of ShaftPiece
-
-    Notes
-    -----
-    A step's place behind B is counted from C or from the clamp, whichever is nearer to B: so the
-    smaller of the two distances keeps its digits.
+    A step behind B is counted from C or the clamp, whichever is nearer to B, to keep more digits.
     """
     a, b = bearing_distance, overhang
     lengths = [section.length for section in sections]
@@ -178,20 +124,7 @@ def shaft_pieces(
 
 
 def bending_stiffness(*, youngs_modulus: float, diameter: float) -> float:
-    """Bending stiffness ``E*I = E*pi*d^4/64`` of a round section.
-
-    Parameters
-    ----------
-    youngs_modulus : float
-        Young's modulus E, Pa.
-    diameter : float
-        Diameter d, m.
-
-    Returns
-    -------
-    float
-        N*m^2.
-    """
+    """Bending stiffness ``E*I = E*pi*d^4/64`` of a round section, N*m^2."""
     return youngs_modulus * (math.pi / 64) * diameter**4
 
 
@@ -205,29 +138,10 @@ def shaft_diagram(
     shaft_sections: Sequence[ShaftSection],
     samples: int = 101,
 ) -> ShaftDiagram:
-    """Shear force, bending moment and deflected shape along the shaft, for drawing.
+    """Shear force, bending moment and deflection along the shaft, for drawing.
 
-    Parameters
-    ----------
-    force, moment : tuple of float, shape (3,)
-        Force of the mesh, N, and its moment about C, N*m.
-    bearing_distance, overhang : float
-        Distances a and b, m.
-    youngs_modulus : float
-        Young's modulus E, Pa.
-    shaft_sections : sequence of ShaftSection
-        The shaft's stretches from C to the clamp.
-    samples : int
-        Number of places, at least 2, besides B and the ends of the sections.
-
-    Returns
-    -------
-    ShaftDiagram
-
-    Raises
-    ------
-    InvalidInput
-        As `shaft_deflection`.
+    Parameters are as in `core.precession.shaft_deflection.shaft_deflection`; `samples` places are
+    added to B and the ends of the sections.
     """
     reaction_b, reaction_c = bearing_reactions(
         force=force, moment=moment, bearing_distance=bearing_distance

@@ -11,31 +11,31 @@ from core.precession.shaft import Plane, ShaftSection, shaft_pieces
 
 @dataclass(frozen=True, slots=True)
 class ShaftStrength:
-    """Bending stress of the shaft; its torsion is not in it."""
+    """Bending stress of the shaft, without torsion."""
 
     bending_moment_B: float  # N*m
     bending_moment_clamp: float  # N*m
     peak_stress: float  # largest bending stress, Pa, without a notch
-    peak_stress_position: float  # its section, m from C towards the clamp
-    yield_strength: float | None  # Re, Pa, where it is known
-    # Of the section of least safety, and that section, m from C, where the load turns round it.
+    peak_stress_position: float  # place of the largest stress, m from C towards the clamp
+    yield_strength: float | None  # Re, Pa, where known
+    # Cycle and place, m from C, of the section of least safety; None if no cycle is judged.
     worst: tuple[CycleFatigue, float] | None
 
     @property
     def static_safety_factor(self) -> float:
-        """Re over that stress, where something bends it."""
+        """Yield strength Re over the largest bending stress; `NotKnown` for an unloaded shaft."""
         if not self.peak_stress:
             raise NotKnown("unloaded")
         return required(self.yield_strength, "yield_unknown") / self.peak_stress
 
     @property
     def fatigue(self) -> CycleFatigue:
-        """The cycle of the section of least safety; `NotKnown` of a load that is steady."""
+        """Stress cycle of the section of least safety; `NotKnown` for a steady load."""
         return required(self.worst, "steady_load")[0]
 
     @property
     def cycle_position(self) -> float:
-        """That section, m from C."""
+        """Place of the section of least fatigue safety, m from C; `NotKnown` for a steady load."""
         return required(self.worst, "steady_load")[1]
 
 
@@ -52,33 +52,20 @@ def shaft_strength(
 ) -> ShaftStrength:
     """Bending stress of the shaft under the mesh, static safety and fatigue.
 
-    The satellite presses with P_C and P_B, opposite to the reactions: ``M(s) = |P_C*s +
-    P_B*max(s - a, 0)|`` as vectors, ``M_B = |P_C|*a``, ``M_clamp = |P_C*(a + b) + P_B*b|``. Between
-    steps and loads the moment is linear, so that it is largest at an end of such a stretch.
+    With the forces P_C and P_B on the shaft, opposite to the reactions (Khatetovsky et al. 2020,
+    eqs (28)-(31)), ``M(s) = |P_C*s + P_B*max(s - a, 0)|`` as vectors, ``M_B = |P_C|*a`` and
+    ``M_clamp = |P_C*(a + b) + P_B*b|``; the stress is ``32*M/(pi*d^3)``. The moment is linear
+    between steps and loads, so that the largest one is at an end of such a stretch.
 
     Parameters
     ----------
-    reaction_B, reaction_C : tuple of float, shape (2,)
-        Reactions at B and C, N.
     bearing_distance, overhang : float
         Distances a from C to B and b from B to the clamp, m.
-    sections : sequence of ShaftSection
-        The shaft from C to the clamp.
-    yield_strength : float, optional
-        Yield strength Re, Pa.
     fatigue : callable, optional
-        What the fatigue is judged by, of a diameter, m.
+        Fatigue strength of the shaft by its diameter, m.
     load_rotates_with_shaft : bool
-        Whether the load turns with the shaft and so bends it one way all the time; else it turns
-        round the shaft, and its stress is fully reversed.
-
-    Returns
-    -------
-    ShaftStrength
-
-    Notes
-    -----
-    Reactions: Khatetovsky et al. 2020, eqs (28)-(31); stress ``32*M/(pi*d^3)``: beam theory.
+        True if the load turns with the shaft and bends it one way all the time; otherwise the load
+        turns around the shaft, and the stress is fully reversed.
 
     Examples
     --------
