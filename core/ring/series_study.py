@@ -40,6 +40,11 @@ def crank_places(*, lobes: int, count: int) -> tuple[float, ...]:
     Parameters
     ----------
     lobes, count : int
+
+    Examples
+    --------
+    >>> [round(angle/(2*math.pi), 3) for angle in crank_places(lobes=5, count=4)]
+    [0.0, 2.25, 4.5, 1.75]
     """
     each, golden = np.arange(count), lobes * (math.sqrt(5) - 1) / 2
     steps = [step for step in range(1, lobes) if math.gcd(step, lobes) == 1]
