@@ -216,8 +216,8 @@ class RingFlank(NamedTuple):
 class InvolutePair:
     """Mesh of an involute planet and its ring."""
 
-    teeth: InvoluteTeeth
-    line: LineOfAction
+    teeth: InvoluteTeeth  # teeth of planet and ring
+    line: LineOfAction  # line of action at the eccentricity
     eccentricity_without_backlash: float  # e_0, m
     normal_backlash: float  # j_n, m: below 0 the teeth press
     ring_flank: RingFlank
@@ -358,9 +358,9 @@ class InvolutePair:
 def involute_pair(*, teeth: InvoluteTeeth, eccentricity: float | None = None) -> InvolutePair:
     """Mesh of an involute planet in its ring.
 
-    ``inv(alpha_w0) = inv(alpha) + 2*(x_r - x_s)*tan(alpha)/dz``, ``e_0 =
-    m*dz*cos(alpha)/(2*cos(alpha_w0))``, ``j_n = m*cos(alpha)*(2*(x_r - x_s)*tan(alpha) +
-    dz*(inv(alpha) - inv(alpha_w)))``.
+    ``inv(alpha_w0) = inv(alpha) + 2*(x_r - x_s)*tan(alpha)/dz``,
+    ``e_0 = m*dz*cos(alpha)/(2*cos(alpha_w0))``,
+    ``j_n = m*cos(alpha)*(2*(x_r - x_s)*tan(alpha) + dz*(inv(alpha) - inv(alpha_w)))``.
 
     Parameters
     ----------

@@ -131,8 +131,8 @@ class LineOfAction:
         return self.satellite_teeth * (end - start) / (2 * math.pi)
 
     def reduced_radius(self, satellite_roll: Number) -> Number:
-        """Reduced radius of curvature of the flanks at a roll angle, ``rho_1*rho_2/(rho_2 -
-        rho_1)``, m.
+        """Reduced radius of curvature of the flanks at a roll angle,
+        ``rho_1*rho_2/(rho_2 - rho_1)``, m.
         """
         convex = self.satellite_base * satellite_roll
         return convex * (1 + convex / self.base_distance)
@@ -141,10 +141,10 @@ class LineOfAction:
         """Passage of the tips where the tip circles with the radii r_as, r_ar (m) cross.
 
         ``G = z_s*(inv(alpha_as) + delta_s) - z_r*(inv(alpha_ar) + delta_r) + dz*inv(alpha_w)`` has
-        to be at least 0; ``cos(delta_s) = (r_ar^2 - r_as^2 - e^2)/(2*r_as*e)``, ``cos(delta_r) =
-        (r_ar^2 - r_as^2 + e^2)/(2*r_ar*e)``. G is for the flank in contact; the other flank has the
-        backlash besides. An arccosine without a value is no absence of interference: if one tip
-        circle encloses the other, no tooth can pass.
+        to be at least 0; ``cos(delta_s) = (r_ar^2 - r_as^2 - e^2)/(2*r_as*e)``,
+        ``cos(delta_r) = (r_ar^2 - r_as^2 + e^2)/(2*r_ar*e)``. G is for the flank in contact; the
+        other flank has the backlash besides. An arccosine without a value is no absence of
+        interference: if one tip circle encloses the other, no tooth can pass.
         """
         e, satellite, ring = self.eccentricity, satellite_tip, ring_tip
         with np.errstate(invalid="ignore"):

@@ -82,8 +82,8 @@ class RingLoss:
 class SlidingLoss(RingLoss):
     """Friction loss of discs that slide on the ring pins, or whose sleeves slide there."""
 
-    turn: MeshTurn
-    friction: RingFriction
+    turn: MeshTurn  # mesh under its torque
+    friction: RingFriction  # friction of its ring pins
 
     @property
     def peak_pv(self) -> float:

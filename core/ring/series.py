@@ -204,7 +204,7 @@ class SeriesPosition:
     interference: float | None
     stiffness: float  # dT/dtheta of both meshes, N*m/rad
     contacts: tuple[HertzContact, ...]  # contact of the output pin with the largest pressure
-    ring: RingPart
+    ring: RingPart  # forces and deflections of the ring mesh
     crank_force: tuple[float, ...]  # force of ring and pins on each crank, N, K values
     # Force of ring and pins across each crank, against its turning, N, K values. The eccentricities
     # times these forces sum to the crank's torque in exact geometry if discs do not float.

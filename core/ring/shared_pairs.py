@@ -62,9 +62,9 @@ class PairsThatCarry:
 def touching(*, pair: InvolutePair, angle: FloatArray) -> Touching:
     """Turns at which the pairs of a planet touch.
 
-    A pair touches on the path after half the backlash if the roll angle ``axis_i + eps + sigma_s +
-    alpha_w`` lies on the path, at the corner of the ring's tip on the planet's flank, or at the
-    corner of the planet's tip on the ring's flank; the least turn counts.
+    A pair touches on the path after half the backlash if the roll angle
+    ``axis_i + eps + sigma_s + alpha_w`` lies on the path, at the corner of the ring's tip on the
+    planet's flank, or at the corner of the planet's tip on the ring's flank; the least turn counts.
 
     Parameters
     ----------

@@ -88,11 +88,11 @@ class CycloidMesh(Stage):
     crank_angles: tuple[float, ...]  # alpha_j of the K discs, rad
     contact_length: float  # b of a disc on a pin, m, > 0
     law: ContactLaw  # contact law of each pair
-    pin_material: ElasticMaterial
-    disc_material: ElasticMaterial
+    pin_material: ElasticMaterial  # material of the ring pins
+    disc_material: ElasticMaterial  # material of the discs
     pin: Pins = RIGID_PINS  # bending of ring pins held at both ends; none by default
     seat_stiffness: float = math.inf  # radial stiffness of a pin in its bore and the housing, N/m
-    deviations: RingDeviations = field(default_factory=RingDeviations)
+    deviations: RingDeviations = field(default_factory=RingDeviations)  # real deviations
     exact: bool = True  # false: geometry in first order of lag and deviations
     # Given shares of the torque, or rigid: then all discs have one lag. No other kind is accepted.
     support: SatelliteSupport = RIGID_SUPPORT

@@ -24,7 +24,7 @@ SAMPLES = 121
 class RollerCurves:
     """Curves of swinging rollers through a design."""
 
-    design: RollerStrength
+    design: RollerStrength  # results of the design itself
     limit: float  # relative position error delta above which one roller carries everything
     length_ratio: FloatArray  # l/d, shape (n,)
     relative_stiffness: FloatArray  # c/(b*E) over l/d, shape (n,)

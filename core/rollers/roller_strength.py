@@ -179,16 +179,16 @@ def roller_strength(
     """Forces, displacement and bending stress of swinging rollers.
 
     ``F_i = c*max(0, Delta - g_i)`` with ``sum F_i = T/(2*R)``; with a position tolerance chi one
-    roller is ahead of the others by ``4*chi`` and ``Psi = min(n, 1 + 4*(n - 1)/n*delta)``. ``M = (l
-    + b/2 + k*D/2)*F_1``, ``sigma = K_sigma*M/(pi*d^3/32)``.
+    roller is ahead of the others by ``4*chi`` and ``Psi = min(n, 1 + 4*(n - 1)/n*delta)``.
+    ``M = (l + b/2 + k*D/2)*F_1``, ``sigma = K_sigma*M/(pi*d^3/32)``.
 
     Source: Ovsyannikov et al. 2019, eqs (1)-(9). Errata: (11)-(13) print the number of rollers only
     before the bending part of the compliance; by (6) with (9) it multiplies the shear part too. The
-    printed form makes the stress too high, by 9 % at l/d = 1, chi/d = 4e-4. In (13) l/d is missing before
-    the first term as well. (9) carries the shear angle of (8) over b/2, though shear does not turn
-    a section; this is kept because the source's figures are made with it. Without it the compliance
-    is 6 % smaller at l/d = 1. One roller carries everything from delta = n/4, which for the
-    source's n = 4 is its limit of 1.
+    printed form makes the stress too high, by 9 % at l/d = 1, chi/d = 4e-4. In (13) l/d is missing
+    before the first term as well. (9) carries the shear angle of (8) over b/2, though shear does
+    not turn a section; this is kept because the source's figures are made with it. Without it the
+    compliance is 6 % smaller at l/d = 1. One roller carries everything from delta = n/4, which for
+    the source's n = 4 is its limit of 1.
 
     Parameters
     ----------
@@ -318,8 +318,9 @@ def relative_stiffness(
 ) -> Number:
     """Relative stiffness ``c/(b*E)`` of one end of a roller, dimensionless.
 
-    With l, b, D for l/d, b/d, D/d the compliance is ``64*b*l/pi*((k*D + b)*l/4 + l^2/3 + b*(l + k*D
-    + b)/4) + 4*1.11*b*(E/G)/pi*(l + b/2)``. Source: Ovsyannikov et al. 2019, eq. (10), fig. 4.
+    With l, b, D for l/d, b/d, D/d the compliance is the sum of
+    ``64*b*l/pi*((k*D + b)*l/4 + l^2/3 + b*(l + k*D + b)/4)`` and ``4*1.11*b*(E/G)/pi*(l + b/2)``.
+    Source: Ovsyannikov et al. 2019, eq. (10), fig. 4.
 
     Parameters
     ----------
