@@ -1,7 +1,7 @@
-"""The engine compiled: each function once, for the arrays that its annotations say.
+"""Compilation of the engine: each function once, for the array types of its annotations.
 
-Numba keeps what it has compiled beside the source, or in ``NUMBA_CACHE_DIR``, for any processor of
-its kind; it may be moved to another machine, and read where it cannot be written.
+Numba keeps compiled functions beside the source, or in ``NUMBA_CACHE_DIR``, for a generic processor
+of the kind. The cache may be moved to another machine, and read where it cannot be written.
 """
 
 import functools
@@ -18,27 +18,27 @@ PLAIN = {
     for name, each in vars(engine).items()
     if isinstance(each, types.FunctionType) and each.__module__ == engine.__name__
 }
-"""Its functions as they are."""
+"""Functions of the engine before they are compiled."""
 
 CALLED = "positions", "narrow", "unloaded", "gaps", "goes_together", "pieces"
-"""Functions that are called from outside of it."""
+"""Functions of the engine that are called from outside of it."""
 
 INLINED = {
     *("touch", "pin", "lobe", "slopes", "press", "turned", "moved", "law", "disc_at", "bent"),
     *("turn_to", "window", "torque_at", "law_alone", "lay"),
 }
-"""Functions that are called at each contact."""
+"""Functions that are called at each contact, and inlined for speed."""
 
 MADE = "compiling, once an installation: half a minute or more"
 
 UNUSABLE = "the cache of what is compiled is broken, or cannot be read or written"
 
 Say = Callable[[str], None] | None
-"""Who is told `MADE` before anything is compiled, and `UNUSABLE`, each once; None: nobody."""
+"""Function that is called with `MADE` before the first compilation and with `UNUSABLE`, each once."""
 
 
 def kind(annotation: Any) -> Any:
-    """Numba's type of an annotation of the engine."""
+    """Numba's type for an annotation of the engine."""
     from numba import types as of
 
     kinds = {
@@ -61,18 +61,18 @@ def kind(annotation: Any) -> Any:
 
 @functools.cache
 def _cache_of(say: Say) -> Any:
-    """Kind of a cache of numba's by which all start: what cannot be read is compiled, and what
-    cannot be written is compiled in memory.
+    """Class of numba's cache that compiles what it cannot read, and keeps in memory what it cannot
+    write.
     """
     os.environ.setdefault("NUMBA_CPU_NAME", "generic")
-    os.environ.setdefault("NUMBA_OPT", "1")  # more takes a fifth longer and runs no faster
+    os.environ.setdefault("NUMBA_OPT", "1")  # higher takes a fifth longer and runs no faster
     from numba.core import caching, config
 
-    config.reload_config()  # which reads it as it is imported, by whoever does so first
+    config.reload_config()  # numba may have been imported before the environment was set
     told = functools.cache(say or str)
 
     class Place:
-        """Beside the source or in ``NUMBA_CACHE_DIR``, whether that can be written or not."""
+        """Folder beside the source or in ``NUMBA_CACHE_DIR``, writable or not."""
 
         @staticmethod
         def from_function(function: types.FunctionType, file: str) -> Any:
@@ -88,14 +88,14 @@ def _cache_of(say: Say) -> Any:
         def load_overload(self, *asked: Any) -> Any:
             found = self._found(asked)
             if found is None:
-                told(MADE)  # who is told may have waited until another process has made it
+                told(MADE)  # the callee may have waited until another process has compiled
                 found = self._found(asked)
             return found
 
         def _found(self, asked: Any) -> Any:
             try:
                 return super().load_overload(*asked)
-            except Exception:  # whatever a broken file makes of it
+            except Exception:  # a broken file may raise anything
                 told(UNUSABLE)
                 with suppress(OSError):
                     self.flush()
@@ -111,23 +111,16 @@ def _cache_of(say: Say) -> Any:
 
 
 def dispatcher(*, plain: Any, say: Say, inlined: bool, called: bool) -> Any:
-    """A function that numba compiles. It makes no arrays: what it is given is held by who calls it,
-    not counted there.
+    """Function that numba compiles; reference counting is off, as the engine makes no arrays and
+    callers hold those that they pass.
 
     Parameters
     ----------
     plain : function
-        As it is.
     say : callable, optional
-        As `load` takes it.
-    inlined : bool
-        Whether it becomes a part of who calls it.
-    called : bool
-        Whether it is called from outside of what is compiled.
-
-    Returns
-    -------
-    dispatcher
+        See `load`.
+    inlined, called : bool
+        True if the function is inlined into its callers, and if it is called from plain Python.
     """
     kept = _cache_of(say)
     import numba
@@ -140,24 +133,17 @@ def dispatcher(*, plain: Any, say: Say, inlined: bool, called: bool) -> Any:
 
 
 def load(say: Say = None) -> None:
-    """Have the engine compiled from now on: read from numba's cache, or made now.
+    """Compile the engine, or read it from numba's cache, and put the result into its module.
 
-    Parameters
-    ----------
-    say : callable, optional
-        Told, each once, that something is compiled, and that a cache cannot be used.
-
-    Raises
-    ------
-    ImportError
-        If numba is not installed.
+    ``say`` is called once if something is compiled, and once if a cache cannot be used. Raises
+    ImportError if numba is not installed.
     """
     for name in PLAIN:
         _make(name, say)
 
 
 def _make(name: str, say: Say) -> None:
-    """Compile a function of the engine after those that it calls."""
+    """Compile a function of the engine after the functions that it calls."""
     plain = PLAIN[name]
     if vars(engine)[name] is not plain:
         return
