@@ -34,7 +34,7 @@ MADE = "compiling, once an installation: half a minute or more"
 UNUSABLE = "the cache of what is compiled is broken, or cannot be read or written"
 
 Say = Callable[[str], None] | None
-"""Function that is called with `MADE` before the first compilation and with `UNUSABLE`, each once."""
+"""Function that is called once with `MADE` before a compilation, and once with `UNUSABLE`."""
 
 
 def kind(annotation: Any) -> Any:

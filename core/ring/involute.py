@@ -209,7 +209,7 @@ class RingFlank(NamedTuple):
     """Flank of the ring as it is made."""
 
     root: float  # r_fr, m
-    form_roll: float  # roll angle up to which it is an involute, rad; infinite without a cutter
+    form_roll: float  # roll angle where the involute ends, rad; infinite without a cutter
 
 
 @dataclass(frozen=True)
@@ -427,7 +427,7 @@ def angle_of(value: float) -> float:
     20.0
     """
     angle, closer = math.inf, min((3 * value) ** (1 / 3), math.atan(value + math.pi / 2))
-    while closer < angle:  # Newton's steps from above, as it is convex
+    while closer < angle:  # Newton's steps from above, as the function is convex
         angle = closer
         closer = angle - (math.tan(angle) - angle - value) / math.tan(angle) ** 2
     return angle

@@ -30,8 +30,8 @@ class PairForce:
     """Force between one pair of flanks that carries the whole torque of a planet."""
 
     normal: float  # F_bn along the line of action, N
-    tangential: float  # across the crank, N
-    radial: float  # along the crank, to the reducer's axis, N
+    tangential: float  # component across the crank, N
+    radial: float  # component along the crank, to the reducer's axis, N
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class RootStress:
 class InvoluteLoad:
     """Force and Hertz pressures of a planet's teeth under its torque."""
 
-    force: PairForce  # without the load factor
+    force: PairForce  # force without the load factor
     # Hertz pressure of one pair, Pa; None if the planet has no involute at that place.
     pressure_start: float | None  # at the start of the path, the largest one
     pressure_end: float | None  # at the end of the path
@@ -197,7 +197,7 @@ def root_stress(
     bent = math.cos(theta) * (z * math.cos(theta) ** 2 - 2 * below)
     radius = rounded + 2 * below**2 / bent
     tip = math.atan(pair.end_roll)
-    leaning = teeth.satellite_half_angle - (pair.end_roll - tip)  # half of the tip's angle
+    leaning = teeth.satellite_half_angle - (pair.end_roll - tip)  # half angle of the tooth at the tip
     load_angle = tip - leaning
     reach = (math.cos(leaning) - math.sin(leaning) * math.tan(load_angle)) * teeth.satellite_tip / m
     arm = reach - (z * math.cos(ROOT_ANGLE - theta) + fillet) / 2

@@ -88,7 +88,7 @@ class MeshCurves:
         rows = []
         for angle, lag in zip(self.crank_angle[: self._own].tolist(), lags.tolist(), strict=True):
             own: tuple[float, ...] = (lag,) * len(mesh.crank_angles)
-            if mesh.support.turning:  # each disc has a lag of its own
+            if mesh.support.turning:  # discs have different lags
                 found = mesh_position(mesh=mesh, crank_angle=angle, output_torque=torque)
                 own = found.rotation
             rows.append(mesh_gaps(mesh=mesh, crank_angle=angle, rotation=own))

@@ -196,7 +196,7 @@ class CycloidDisc:
     def path_curvature(self, t: FloatArray) -> FloatArray:
         """Curvature of the tool's path at parameters t (rad), 1/m, convex positive, shape (n,)."""
         k, pins = self.shortening, self.pins
-        # 1 + z_p*K^2 - (z_p + 1)*K*cos(z*t), which is a difference of its terms in the valley
+        # 1 + z_p*K^2 - (z_p + 1)*K*cos(z*t), written without cancellation in the valley
         bend = (1 - k) * (1 - pins * k) + 2 * (pins + 1) * k * np.sin(
             self.satellite_teeth * t / 2
         ) ** 2
@@ -224,7 +224,7 @@ class CycloidDisc:
 class OutlinePoints:
     """Outline of a disc as a closed polygon of points."""
 
-    points: FloatArray  # about the disc's centre, m, shape (n, 2); the first is not repeated
+    points: FloatArray  # points about the disc's centre, m, shape (n, 2); the first is not repeated
     chord_error: float  # largest distance of the outline from the polygon, m
 
 

@@ -85,7 +85,7 @@ def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
         return ends[0], ends[1]
 
     low, high = turned(np.linspace(0.0, 2 * np.pi, PRESSES, endpoint=False))
-    if (low == high).any():  # pins of the ring press without load, and hold the discs
+    if (low == high).any():  # ring pins press without load and hold the discs
         return rooms
     turns = 1 if ring.pins_alike else ring.disc.pins
     return replace(rooms, ring=turned, turns=turns)
@@ -147,7 +147,7 @@ class MeshesInSeries(Stage):
     @cached_property
     def drive(self) -> Pieces:
         """Both meshes as the engine takes them."""
-        assert self.ring.drive and self.output.drive  # refuse what has no size, by its own number
+        assert self.ring.drive and self.output.drive  # raises for parts without a size
         return series_drive(self)
 
     def wave(self, crank_angle: float) -> float:

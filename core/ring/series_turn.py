@@ -285,5 +285,5 @@ def series_over_turn(
         code, limit = ("greater_than", 0) if lost_motion_share <= 0 else ("less_than_equal", 1)
         raise InvalidInput("lost_motion_share", lost_motion_share, code, limit=limit)
     found = SeriesOverTurn(SeriesTurn(real, output_torque, lost_motion_share))
-    assert found.turn.coarse  # refuses what cannot be
+    assert found.turn.coarse  # raises for positions without an equilibrium
     return found

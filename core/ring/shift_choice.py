@@ -116,7 +116,7 @@ def shifts_at(
         )
         try:
             pair = involute_pair(teeth=shifted, eccentricity=eccentricity)
-        except InvalidInput:  # a tip within its base circle
+        except InvalidInput:  # a tip lies within its base circle
             continue
         blunt = min(pair.satellite_tip_thickness, pair.ring_tip_thickness) > 0
         if pair.tips_apart(room) and blunt and pair.on_involutes:

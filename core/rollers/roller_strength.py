@@ -125,12 +125,12 @@ class RollerStrength:
 
     stiffness: Number  # stiffness c of one end of a roller, N/m
     relative_stiffness: Number  # c/(b*E)
-    mean_force: Number  # F_avg on one end of a roller, N
+    mean_force: Number  # mean force F_avg on one end of a roller, N
     # delta = c*chi/F_avg; with given gaps chi is the tolerance with an equal mean gap.
     relative_position_error: Number
     load_nonuniformity: Number  # Psi, largest over mean force, from 1 to the number of rollers
-    max_force: Number  # F_1, largest on one end of a roller, N
-    centre_force: Number  # F_0 = 2*F_1 on the middle of that roller, N
+    max_force: Number  # largest force F_1 on one end of a roller, N
+    centre_force: Number  # force F_0 = 2*F_1 on the middle of the most loaded roller, N
     # Force on one end of each roller, N; with a tolerance the first roller is the one ahead.
     forces: tuple[Number, ...]
     # Displacement Delta of the disc's holes against the satellites' holes, m, from the zero of the

@@ -65,7 +65,7 @@ def uniforms(
     numbers = np.empty((len(streams), samples))
     for row, (kind, index) in zip(numbers, streams, strict=True):
         state["state"]["key"][1] = (kind << 32) + index
-        bits.state = state  # a tenth of the time of another generator
+        bits.state = state  # takes a tenth of the time of a new generator
         row[:] = bits.random_raw(first % 4 + samples)[first % 4 :] >> np.uint64(11)
     numbers *= 2.0**-53
     numbers += 2.0**-54
@@ -77,8 +77,8 @@ class Spread:
     """Range and distribution of a deviation of a size or an angle."""
 
     lower: float  # least deviation, m or rad
-    upper: float  # largest deviation
-    # Normal: cut off at the limits, which are three standard deviations off the middle.
+    upper: float  # largest deviation, m or rad
+    # A normal distribution is cut off at the limits, three standard deviations off the middle.
     distribution: Distribution = "normal"
     common: bool = False  # true if all parts of a piece have one deviation
 

@@ -211,7 +211,7 @@ class Study:
         for name in PRESSURES.intersection(self.asked.quantities):
             columns[name] = np.sqrt(self.square_pressure(name) * columns[name])
         values = np.stack([columns[name] for name in self.asked.quantities], axis=1)
-        values[np.isinf(values).any(axis=1)] = np.nan  # play without an end, at a dead centre
+        values[np.isinf(values).any(axis=1)] = np.nan  # a dead centre gives infinite play
         return values, columns["fits"]
 
     def values_of(self, pieces: Drawn) -> tuple[FloatArray, FloatArray]:
