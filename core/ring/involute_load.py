@@ -197,7 +197,7 @@ def root_stress(
     bent = math.cos(theta) * (z * math.cos(theta) ** 2 - 2 * below)
     radius = rounded + 2 * below**2 / bent
     tip = math.atan(pair.end_roll)
-    leaning = teeth.satellite_half_angle - (pair.end_roll - tip)  # half angle of the tooth at the tip
+    leaning = teeth.satellite_half_angle - (pair.end_roll - tip)  # half angle of the tip
     load_angle = tip - leaning
     reach = (math.cos(leaning) - math.sin(leaning) * math.tan(load_angle)) * teeth.satellite_tip / m
     arm = reach - (z * math.cos(ROOT_ANGLE - theta) + fillet) / 2
