@@ -1,7 +1,7 @@
 """Compilation of the engine: each function once, for the array types of its annotations.
 
 Numba keeps compiled functions beside the source, or in ``NUMBA_CACHE_DIR``, for a generic processor
-of the kind. The cache may be moved to another machine, and read where it cannot be written.
+of the kind; the cache may be moved to another machine, and read where it cannot be written.
 """
 
 import functools
@@ -61,9 +61,7 @@ def kind(annotation: Any) -> Any:
 
 @functools.cache
 def _cache_of(say: Say) -> Any:
-    """Class of numba's cache that compiles what it cannot read, and keeps in memory what it cannot
-    write.
-    """
+    """Class of numba's cache that compiles what it cannot read and tolerates failures to write."""
     os.environ.setdefault("NUMBA_CPU_NAME", "generic")
     os.environ.setdefault("NUMBA_OPT", "1")  # higher takes a fifth longer and runs no faster
     from numba.core import caching, config
@@ -88,7 +86,7 @@ def _cache_of(say: Say) -> Any:
         def load_overload(self, *asked: Any) -> Any:
             found = self._found(asked)
             if found is None:
-                told(MADE)  # the callee may have waited until another process has compiled
+                told(MADE)  # the function told may have waited until another process has compiled
                 found = self._found(asked)
             return found
 
@@ -111,16 +109,13 @@ def _cache_of(say: Say) -> Any:
 
 
 def dispatcher(*, plain: Any, say: Say, inlined: bool, called: bool) -> Any:
-    """Function that numba compiles; reference counting is off, as the engine makes no arrays and
-    callers hold those that they pass.
+    """Function that numba compiles; reference counting is off, as callers hold all arrays.
 
     Parameters
     ----------
     plain : function
-    say : callable, optional
-        See `load`.
-    inlined, called : bool
-        True if the function is inlined into its callers, and if it is called from plain Python.
+    say : callable, optional, as in `load`
+    inlined, called : bool, if inlined into its callers, and if called from plain Python
     """
     kept = _cache_of(say)
     import numba
@@ -133,10 +128,8 @@ def dispatcher(*, plain: Any, say: Say, inlined: bool, called: bool) -> Any:
 
 
 def load(say: Say = None) -> None:
-    """Compile the engine, or read it from numba's cache, and put the result into its module.
-
-    ``say`` is called once if something is compiled, and once if a cache cannot be used. Raises
-    ImportError if numba is not installed.
+    """Compile the engine, or read it from numba's cache, and put the result into its module;
+    ``say`` is called once if something is compiled, and once if a cache cannot be used.
     """
     for name in PLAIN:
         _make(name, say)

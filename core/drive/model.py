@@ -23,8 +23,8 @@ class Contacts(NamedTuple):
 
     @property
     def straddle(self) -> bool:
-        """True if a pin may press both flanks of a valley: the pin radius exceeds that of the tool
-        by more than the radius of curvature of the valley's path.
+        """True if a pin may press both flanks of a valley: its radius exceeds the tool's by more
+        than the valley's radius of curvature on the path.
         """
         own = engine.LOBES, engine.SHORT, engine.TOOL_R
         pins, k, tool = (self.gf[..., each][..., None] for each in own)
@@ -94,19 +94,16 @@ def pieces_of(
 ) -> Pieces:
     """Drives of discs on output pins, of a ring on its discs, or of both in series.
 
+    With both kinds of pins each disc has a lag of its own between them. ``shares`` of the torque in
+    one mesh let each disc turn for itself; by default all discs have one lag.
+
     Parameters
     ----------
-    lobes, pins : Contacts, optional
-        Contacts of ring pins and discs, and of output pins and holes. With both, each disc has a
-        lag of its own between them.
-    shares : tuple of float, optional
-        Shares of the torque in one mesh, with which each disc turns for itself. By default all
-        discs have one lag.
+    lobes, pins : Contacts, optional, of ring pins and of output pins
+    shares : tuple of float
     springs : Springs
-    journals : Contacts, optional
-        Contacts of cranks and discs, if discs float between lobes and pins.
-    table : array
-        Constants of the conformal law, see `engine.over_width`.
+    journals : Contacts, optional, of cranks in discs that float between lobes and pins
+    table : array, constants of the conformal law, see `engine.over_width`
     """
     kinds = [each for each in (pins, journals, lobes) if each]
     discs = kinds[0].gf.shape[1]
@@ -174,10 +171,8 @@ def links(*, gi: list[list[int]], contacts: int, blocks: int) -> IntArray:
 
     Parameters
     ----------
-    gi : list of list of int
-        Integers of the groups.
-    contacts, blocks : int
-        Numbers of contacts, and of pins that bend.
+    gi : list of list of int, integers of the groups
+    contacts, blocks : int, numbers of contacts, and of pins that bend
     """
     ci = np.full((contacts, engine.FIRST + 1), -1)
     for j, row in enumerate(gi):
@@ -199,11 +194,8 @@ def bent_springs(
     ----------
     bending : Bending, optional
     pins : Contacts, optional
-    kgg : array, shape (bodies, bodies)
-        Stiffness between bodies without bending.
-    ring : int
-        Index of the first of three displacements of a tie ring: two of its middle, one along the
-        circle of pins.
+    kgg : array, shape (bodies, bodies), stiffness without bending
+    ring : int, index of the displacements of a tie ring: two of its middle, one along the circle
     """
     if bending is None or pins is None:
         return kgg, np.zeros((0, 0)), np.zeros((0, 0, len(kgg)))

@@ -14,8 +14,7 @@ from core.ring.sharing import MeshTurn
 
 
 def forces_on_ring(turn: MeshTurn) -> PinForces:
-    """Forces of cycloid discs on their ring pins in the frame of the ring, N; normals are those of
-    perfect parts.
+    """Forces of cycloid discs on ring pins in the ring's frame, N, with normals of perfect parts.
 
     Examples
     --------

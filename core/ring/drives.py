@@ -54,15 +54,13 @@ def _lobes(ring: Any, errors: LobeErrors, cranks: Cranks) -> Contacts:
 
 
 def series_pieces(*, series: Any, teeth: LobeErrors, errors: Errors[FloatArray]) -> Pieces:
-    """Drives of many pieces of both meshes in series.
+    """Drives of many pieces of both meshes in series, from nominal design and deviations.
 
     Parameters
     ----------
     series : MeshesInSeries
-        Nominal design.
     teeth : LobeErrors
     errors : Errors of array
-        Deviations of output pins, holes, cranks and discs.
     """
     output = series.output
     pins = in_series(pins=output_pins(output=output, errors=errors), output=output)

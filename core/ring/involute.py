@@ -47,11 +47,9 @@ class Rack:
         return land * math.cos(self.pressure_angle) / (1 - math.sin(self.pressure_angle))
 
     def form_roll(self, *, teeth: int, shift: Number) -> Number:
-        """Roll angle above which the planet's flank is an involute, rad; below 0 the planet is
-        undercut.
+        """Roll angle above which the planet's flank is an involute, rad; undercut if below 0.
 
-        ``tan(alpha_F) = tan(alpha) - 4*(h' - x_s)/(z_s*sin(2*alpha))`` with h' the depth
-        `straight`.
+        ``tan(alpha_F) = tan(alpha) - 4*(h' - x_s)/(z_s*sin(2*alpha))`` with h' `straight`.
         """
         alpha = self.pressure_angle
         return math.tan(alpha) - 4 * (self.straight - shift) / (teeth * math.sin(2 * alpha))
@@ -62,8 +60,6 @@ def usual_rack(*, pressure_angle: float) -> Rack:
 
     Examples
     --------
-    >>> usual_rack(pressure_angle=math.radians(20)).tip_radius
-    0.38
     >>> round(usual_rack(pressure_angle=math.radians(25)).tip_radius, 3)
     0.318
     """
@@ -165,9 +161,8 @@ def rack_of(*, pressure_angle: float, dedendum: float, tip_radius: float | None)
 
     Parameters
     ----------
-    pressure_angle : float, rad
-    dedendum : float, in modules
-    tip_radius : float or None, in modules
+    pressure_angle, dedendum : float, rad and modules
+    tip_radius : float or None, modules
     """
     rack = Rack(pressure_angle, dedendum)
     if not rack.most_round >= 0:
@@ -189,9 +184,7 @@ def addendum_of(
     name : {"satellite_tip_radius", "ring_tip_radius"}
     tip_radius : float, m
     teeth : int
-    shift : float
-        Profile shift, in modules.
-    module, pressure_angle : float, m and rad
+    shift, module, pressure_angle : float, profile shift in modules, m and rad
     """
     outwards = 1 if name == "satellite_tip_radius" else -1
     own, base = teeth / 2 + shift, module * (teeth * math.cos(pressure_angle) / 2)
@@ -255,9 +248,7 @@ class InvolutePair:
 
     @property
     def form_roll_satellite(self) -> float:
-        """Roll angle above which the planet's flank is an involute, rad; below 0 the planet is
-        undercut.
-        """
+        """Roll angle above which the planet's flank is an involute, rad; undercut if below 0."""
         shift = self.teeth.satellite_profile_shift
         return float(self.teeth.rack.form_roll(teeth=self.teeth.satellite_teeth, shift=shift))
 
@@ -295,24 +286,18 @@ class InvolutePair:
         return bool(self.crossing.overlap)
 
     def tips_apart(self, room: float) -> bool:
-        """True if the tip circles cross and the tips pass there with G >= room (see
-        `tip_interference`).
-        """
+        """True if the tip circles cross and `tip_interference` is at least ``room``."""
         return float(self.crossing.interference) >= room
 
     @property
     def tip_interference(self) -> float | None:
-        """Interference G of the tips beside the path, which has to be at least 0; None if the tip
-        circles do not cross.
-        """
+        """Interference G of the tips, which has to be >= 0; None if tip circles do not cross."""
         found = float(self.crossing.interference)
         return None if math.isnan(found) else found
 
     @property
     def tip_gap(self) -> float | None:
-        """Approximate width of the gap between the tips at their crossing, m; None if there is no
-        crossing.
-        """
+        """Approximate gap between the tips at their crossing, m; None if there is no crossing."""
         if self.tip_interference is None:
             return None
         return self.tip_interference * self.teeth.ring_tip / self.teeth.ring_teeth
@@ -356,23 +341,18 @@ class InvolutePair:
 
 
 def involute_pair(*, teeth: InvoluteTeeth, eccentricity: float | None = None) -> InvolutePair:
-    """Mesh of an involute planet in its ring.
+    """Mesh of an involute planet in its ring at an eccentricity e, by default without backlash.
 
     ``inv(alpha_w0) = inv(alpha) + 2*(x_r - x_s)*tan(alpha)/dz``,
     ``e_0 = m*dz*cos(alpha)/(2*cos(alpha_w0))``,
-    ``j_n = m*cos(alpha)*(2*(x_r - x_s)*tan(alpha) + dz*(inv(alpha) - inv(alpha_w)))``.
+    ``j_n = m*cos(alpha)*(2*(x_r - x_s)*tan(alpha) + dz*(inv(alpha) - inv(alpha_w)))``. Raises
+    InvalidInput if `InvoluteTeeth.check` or the ring's cutter refuses the sizes, the spaces of the
+    ring are too narrow for any eccentricity, or the base circles leave no room for the given one.
 
     Parameters
     ----------
     teeth : InvoluteTeeth
-    eccentricity : float, optional
-        Eccentricity e, m; by default the one without backlash.
-
-    Raises
-    ------
-    InvalidInput
-        If `InvoluteTeeth.check` or the ring's cutter refuses the sizes, the spaces of the ring are
-        too narrow for any eccentricity, or the base circles leave no room for the given one.
+    eccentricity : float, optional, m
 
     Examples
     --------

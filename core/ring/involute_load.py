@@ -61,13 +61,12 @@ class InvoluteLoad:
 
 
 def pair_force(*, pair: InvolutePair, torque: float) -> PairForce:
-    """Force of one pair that carries a planet's torque T_j, ``F_bn = T_j/r_bs``.
+    """Force of one pair that carries the torque T_j of a planet, ``F_bn = T_j/r_bs``.
 
     Parameters
     ----------
     pair : InvolutePair
-    torque : float
-        Torque T_j of the planet about its own centre, N*m.
+    torque : float, N*m
     """
     normal = torque / pair.line.satellite_base
     return PairForce(normal, normal * math.cos(pair.line.angle), normal * math.sin(pair.line.angle))
@@ -83,8 +82,7 @@ def pressure_along(
     roll: Number,
     load_factor: float = 1.0,
 ) -> Number:
-    """Hertz pressure of one pair along the line of action, Pa; NaN where the planet has no
-    involute.
+    """Hertz pressure of one pair along the line of action, Pa; NaN if the planet has no involute.
 
     ``p = sqrt(K*F_bn*E*/(pi*b*rho))``, ``rho = rho_1*(rho_1 + e*sin(alpha_w))/(e*sin(alpha_w))``,
     ``rho_1 = r_bs*tau``.
@@ -92,15 +90,11 @@ def pressure_along(
     Parameters
     ----------
     pair : InvolutePair
-    torque : float
-        Torque T_j of the planet about its own centre, N*m, > 0.
-    contact_length : float
-        Width b, m, > 0.
+    torque : float, T_j of the planet about its own centre, N*m, > 0
+    contact_length : float, width b, m, > 0
     satellite_material, ring_material : ElasticMaterial
-    roll : float or array
-        Roll angles tau of the planet, rad.
-    load_factor : float
-        Factor K on the force, application factor times face load factor, > 0.
+    roll : float or array, roll angles tau of the planet, rad
+    load_factor : float, K, application factor times face load factor, > 0
     """
     check_positive(torque=torque, contact_length=contact_length, load_factor=load_factor)
     modulus = effective_modulus(first=satellite_material, second=ring_material)
@@ -126,13 +120,10 @@ def involute_load(
     Parameters
     ----------
     pair : InvolutePair
-    torque : float
-        Torque T_j of the planet about its own centre, N*m, > 0.
-    contact_length : float
-        Width b, m, > 0.
+    torque : float, T_j of the planet about its own centre, N*m, > 0
+    contact_length : float, width b, m, > 0
     satellite_material, ring_material : ElasticMaterial
-    load_factor : float
-        Factor K on the force, application factor times face load factor, > 0.
+    load_factor : float, K, application factor times face load factor, > 0
     """
     rolls = (pair.start_roll, pair.end_roll, pair.line.pitch_roll)
     found = pressure_along(
@@ -159,28 +150,19 @@ def involute_load(
 def root_stress(
     *, pair: InvolutePair, torque: float, contact_length: float, load_factor: float = 1.0
 ) -> RootStress:
-    """Bending stress in the root of the planet's teeth with the whole force at the tip of one
-    tooth.
+    """Bending stress in the planet's roots with the whole force at the tip of one tooth.
 
     ``sigma_F = F_t/(b*m)*Y_F*Y_S*K``, ``F_t = T_j/(m*z_s/2)``. Method B of ISO 6336-3 for a fillet
     that a rack generates, as it is commonly printed; the standard itself was not at hand. At large
     operating pressure angles a part of the force compresses the root, which is on the safe side.
-    The root of the ring is not calculated.
+    The root of the ring is not calculated. Raises NotKnown if the root is not that of a usual
+    tooth, or its notch is out of `NOTCHES`.
 
     Parameters
     ----------
     pair : InvolutePair
-    torque : float
-        Torque T_j of the planet about its own centre, N*m, > 0.
-    contact_length : float
-        Width b, m, > 0.
-    load_factor : float
-        Factor K on the force, > 0.
-
-    Raises
-    ------
-    NotKnown
-        If the root is not that of a usual tooth, or its notch is out of `NOTCHES`.
+    torque : float, T_j of the planet about its own centre, N*m, > 0
+    contact_length, load_factor : float, width b, m, and factor K, > 0
     """
     check_positive(torque=torque, contact_length=contact_length, load_factor=load_factor)
     teeth, line = pair.teeth, pair.line
@@ -222,15 +204,12 @@ def root_stress(
 def loss_ratio(*, pair: InvolutePair, friction: float, roll: float) -> float:
     """Power lost over power put out while one pair carries at a place, ``mu*|tau - tan(alpha_w)|``.
 
-    The sliding speed is the distance to the pitch point times the relative speed of planet and
-    ring.
+    The sliding speed is the distance to the pitch point times the relative speed of both bodies.
 
     Parameters
     ----------
     pair : InvolutePair
-    friction : float
-    roll : float
-        Roll angle tau of the planet, rad.
+    friction, roll : float, coefficient mu and roll angle tau of the planet, rad
     """
     return friction * abs(roll - pair.line.pitch_roll)
 
@@ -261,11 +240,8 @@ def involute_loss(
     Parameters
     ----------
     pair : InvolutePair
-    friction : float
-    output_torque : float
-        Torque of all planets, N*m.
-    input_speed : float, optional
-        Speed of the eccentric against the ring, rad/s.
+    friction, output_torque : float, coefficient mu and torque of all planets, N*m
+    input_speed : float, optional, of the eccentric against the ring, rad/s
     """
     each = mean_loss_ratio(pair=pair, friction=1.0)
     lost, teeth = friction * each, pair.teeth
@@ -279,9 +255,7 @@ def involute_loss(
 
 
 def _tangent(factor: float, offset: float) -> float:
-    """Root theta of ``theta = factor*tan(theta) - offset``, rad, by Newton's method; for factors
-    below 0 the slope has one sign.
-    """
+    """Root theta, rad, of ``theta = factor*tan(theta) - offset``, by Newton; needs a factor < 0."""
     theta = ROOT_ANGLE / 2
     for _ in range(50):
         excess = theta - factor * math.tan(theta) + offset

@@ -2,7 +2,7 @@
 
 The line depends on numbers of teeth, base circles and eccentricity only; tips are given as radii. A
 place on the line is given by the roll angle tau of the planet: the tangent of the pressure angle
-there, which is the distance from the planet's base point over the base radius. Arrays may have any
+there, which is the distance from the planet's base point over the base radius. Arrays have any
 axes.
 """
 
@@ -59,10 +59,7 @@ class LineOfAction:
         pressure_angle: float,
         eccentricity: float,
     ) -> "LineOfAction":
-        """Line of action at an eccentricity.
-
-        Raises InvalidInput if the base circles leave no room for the eccentricity.
-        """
+        """Line of action at an eccentricity; InvalidInput if base circles leave no room for it."""
         mesh = involute_mesh(
             module=module,
             teeth_difference=ring_teeth - satellite_teeth,
@@ -106,16 +103,12 @@ class LineOfAction:
         return self.difference * turned / (2 * math.tan(self.pressure_angle))
 
     def end_roll(self, satellite_tip: Number) -> Number:
-        """Roll angle at the end of the path for the planet's tip radius r_as, m; NaN within the
-        base circle.
-        """
+        """Roll angle at the path's end from the planet's tip radius, m; NaN if below the base."""
         return roll(satellite_tip, base=self.satellite_base)
 
     def start_roll(self, ring_tip: Number) -> Number:
-        """Roll angle at the start of the path for the ring's tip radius r_ar, m; NaN within the
-        base circle.
-
-        ``tan(alpha_1) = (z_r*tan(alpha_ar) - dz*tan(alpha_w))/z_s``.
+        """Roll angle at the start of the path from the ring's tip radius, m; NaN within the base
+        circle. ``tan(alpha_1) = (z_r*tan(alpha_ar) - dz*tan(alpha_w))/z_s``.
         """
         at_tip = roll(ring_tip, base=self.ring_base)
         reached = self.ring_teeth * at_tip - self.difference * self.pitch_roll
@@ -131,9 +124,7 @@ class LineOfAction:
         return self.satellite_teeth * (end - start) / (2 * math.pi)
 
     def reduced_radius(self, satellite_roll: Number) -> Number:
-        """Reduced radius of curvature of the flanks at a roll angle,
-        ``rho_1*rho_2/(rho_2 - rho_1)``, m.
-        """
+        """Reduced radius of curvature at a roll angle, ``rho_1*rho_2/(rho_2 - rho_1)``, m."""
         convex = self.satellite_base * satellite_roll
         return convex * (1 + convex / self.base_distance)
 
@@ -159,8 +150,7 @@ class LineOfAction:
 
 
 def roll(radius: Number, *, base: float) -> Number:
-    """Roll angle of an involute at a radius, the tangent of the pressure angle there; NaN within
-    the base circle.
+    """Roll angle of an involute at a radius, tangent of the pressure angle; NaN if below the base.
 
     Parameters
     ----------

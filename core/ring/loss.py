@@ -28,8 +28,6 @@ class RingFriction:
 def sliding_part(*, disc: CycloidDisc, friction: RingFriction) -> float:
     """Sliding speed over that on fixed pins: 1 without sleeves, otherwise r_i/r.
 
-    Raises InvalidInput if the coefficient is negative or a bore is not smaller than its pin.
-
     Parameters
     ----------
     disc : CycloidDisc
@@ -72,9 +70,7 @@ class RingLoss:
 
     @property
     def peak_pv(self) -> float:
-        """Largest product of pressure and sliding speed, Pa*m/s; not known for involute flanks and
-        rolling sleeves.
-        """
+        """Largest pressure times sliding speed, Pa*m/s; not known of flanks and rolling sleeves."""
         raise NotKnown("no_bush")
 
 
@@ -109,8 +105,7 @@ def ring_loss(
     ----------
     turn : MeshTurn
     friction : RingFriction
-    input_speed : float, optional
-        Speed of the crank, rad/s, of either sign.
+    input_speed : float, optional, of the crank, rad/s, of either sign
 
     Examples
     --------

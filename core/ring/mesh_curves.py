@@ -1,6 +1,4 @@
-"""Curves of forces, angular deflections and gaps of cycloid discs and their ring pins for drawings:
-of the ring alone over a turn of the crank, of both meshes in series at given angles.
-"""
+"""Curves of forces, angular deflections and gaps of cycloid discs and ring pins for drawings."""
 
 import math
 
@@ -96,9 +94,7 @@ class MeshCurves:
 
 
 class SeriesCurves:
-    """Teeth of both meshes in series at given crank angles (rad, shape (M,)), each curve found on
-    demand.
-    """
+    """Teeth of both meshes in series at M crank angles in rad, each curve found on demand."""
 
     def __init__(self, teeth: TeethInSeries, crank_angle: FloatArray) -> None:
         turn = teeth.series.turn
@@ -112,9 +108,7 @@ class SeriesCurves:
 
     @classmethod
     def over_period(cls, teeth: TeethInSeries, angles: int) -> "SeriesCurves":
-        """Curves at even angles over one period, at least ``angles`` of them and at least as many
-        per turn.
-        """
+        """Curves at even angles over one period, at least ``angles`` of them in it and per turn."""
         period: float = teeth.series.turn.period
         steps = math.ceil(angles * max(1.0, period / (2 * math.pi)))
         return cls(teeth, np.linspace(0.0, period, steps + 1))

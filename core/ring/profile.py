@@ -123,8 +123,7 @@ class CycloidDisc:
         """Least convex radius of curvature of the tool's path, m.
 
         ``R_m*sqrt(27*(1 - K^2)*z)/(z_p + 1)^1.5`` on the flank if ``K > (z_p - 2)/(2*z_p - 1)``,
-        otherwise ``R_m*(1 + K)^2/(1 + z_p*K)`` at the tip. Derived from the stationary curvature
-        over a lobe.
+        otherwise ``R_m*(1 + K)^2/(1 + z_p*K)`` at the tip. Derived by stationary curvature.
 
         Examples
         --------
@@ -154,9 +153,7 @@ class CycloidDisc:
 
     @property
     def valley_radius(self) -> float:
-        """Radius of curvature of the tool's path in the middle of a valley, m; infinite if the path
-        is nowhere concave.
-        """
+        """Radius of curvature of the tool's path in a valley, m; infinite if nowhere concave."""
         k, pins = self.shortening, self.pins
         if not pins * k > 1:
             return math.inf
@@ -164,16 +161,14 @@ class CycloidDisc:
 
     @property
     def min_concave_radius(self) -> float | None:
-        """Least concave radius of the disc, m, an upper limit for a grinding wheel; None if the
-        disc is nowhere concave.
-        """
+        """Least concave radius of the disc, m, a limit for grinding wheels; None if convex."""
         radius = self.valley_radius + self.tool_radius
         return radius if math.isfinite(radius) else None
 
     @property
     def accuracy(self) -> Accuracy:
-        """Rounding error of the sizes, larger if the tool's path nearly has a cusp or hardly bends
-        in its valleys, or if hardly anything is left of the disc.
+        """Rounding error of the sizes, larger near a cusp or a straight valley of the tool's path,
+        and if hardly anything is left of the disc.
         """
         k, bends = self.shortening, self.shortening * self.pins
         lost = 1 / (1 - k) + self.tool_circle_radius / abs(self.root_radius or math.inf)
@@ -208,9 +203,7 @@ class CycloidDisc:
         return np.asarray(path / (1 - self.tool_radius * path))
 
     def outline(self, t: FloatArray) -> ComplexArray:
-        """Points x + i*y of the disc about its centre, in its own frame, at parameters t (rad), m,
-        shape (n,).
-        """
+        """Points x + i*y of the disc about its centre, in its frame, at t (rad), m, shape (n,)."""
         k, radius = self.shortening, self.tool_circle_radius
         turned, lobe = np.exp(-1j * t), np.exp(-1j * self.satellite_teeth * t)
         normal = (1 - k * lobe) / self.slope(t)
@@ -236,20 +229,14 @@ def outline_points(
     Every lobe has equally many points; they run clockwise from the valley that faces the crank at
     the crank angle 0. Points dt apart leave a distance of at most ``|C'|^2*|curvature|*dt^2/8``
     from the chord in the limit of close points; the stated error is measured along each chord and
-    at the vertex of a parabola through the largest distance there.
+    at the vertex of a parabola through the largest distance there. Raises InvalidInput if the disc
+    is undercut, or the chord error or the number of lobes needs more points.
 
     Parameters
     ----------
     disc : CycloidDisc
-    chord_error : float
-        Largest distance of the outline from the polygon, m, > 0.
-    most : int
-        Largest number of points.
-
-    Raises
-    ------
-    InvalidInput
-        If the disc is undercut, or the chord error or the number of lobes needs more points.
+    chord_error : float, largest distance of the outline from the polygon, m, > 0
+    most : int, largest number of points
 
     Examples
     --------

@@ -60,10 +60,8 @@ def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
 
     Parameters
     ----------
-    rooms : Rooms
-        Pins in the holes of discs that are held.
-    ring : CycloidMesh
-        Ring with the deviations of cranks and discs.
+    rooms : Rooms, of pins in the holes of discs that are held
+    ring : CycloidMesh, with the deviations of cranks and discs
     """
     if rooms.deviations == Deviations() and ring.pins_alike:
         return rooms
@@ -226,19 +224,14 @@ def series_position(
 
     With one disc, in first order, lags and backlashes of both stages add; with several discs they
     do not, since each disc depends on both stages. Friction, speed, tilting and edge load,
-    deformation of discs, ring and carrier, and errors of single lobes are left out.
+    deformation of discs, ring and carrier, and errors of single lobes are left out. Raises
+    ImpossibleMechanism if there is no stable equilibrium, see `Stage.solved`.
 
     Parameters
     ----------
     real : MeshesInSeries
     crank_angle : float, rad
-    output_torque : float
-        Torque T on the output link, N*m, not 0; negative in reverse.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If the position has no stable equilibrium, see `Stage.solved`.
+    output_torque : float, T on the output link, N*m, not 0; negative in reverse
 
     Examples
     --------

@@ -58,8 +58,8 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
 
 
 def teeth_samples(turn: SeriesTurn) -> CloseSamples:
-    """Forces of the ring pins at the samples of `SeriesTurn.close`, with the lag of the output; if
-    pins are alike, over the periods after which each pin has had the forces of every other.
+    """Forces of the ring pins at the samples of `SeriesTurn.close`, with the lag of the output,
+    until pins that are alike have had each other's forces.
     """
     rows, ring = turn.close, turn.real.ring
     force, pins = rows["teeth"], ring.disc.pins

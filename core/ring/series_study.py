@@ -35,7 +35,7 @@ TRIED = 24
 @lru_cache(maxsize=16)
 def crank_places(*, lobes: int, count: int) -> tuple[float, ...]:
     """Crank angles spaced evenly in a turn, each in another of the ``lobes`` turns of a period,
-    rad. The wave angles of the output are nearly even too.
+    rad; wave angles of the output are nearly even too.
 
     Parameters
     ----------

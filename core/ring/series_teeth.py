@@ -37,9 +37,7 @@ class TeethInSeries(MeshTurn):
 
     @property
     def close(self) -> CloseSamples:
-        """Forces of all pairs, sampled as `SeriesTurn.close`, until each pin has had the forces of
-        every pin that is alike.
-        """
+        """Forces of all pairs, sampled until pins that are alike have had each other's forces."""
         turn = self.series.turn
         assert isinstance(turn, SeriesTurn)
         return teeth_samples(turn)
@@ -91,17 +89,13 @@ class TeethInSeries(MeshTurn):
         return self.series.pressed_without_load
 
     def forces_at(self, crank_angle: float) -> FloatArray:
-        """Forces of all pairs at a crank angle (rad) within the period of both meshes, N, shape (K,
-        z_p).
-        """
+        """Forces of all pairs at a crank angle (rad) of the period, N, shape (K, z_p)."""
         forces: FloatArray = self.series.turn.poses([crank_angle])["teeth"]
         return forces.reshape(-1, self.mesh.disc.pins)
 
     @derived
     def lags(self) -> tuple[float, float]:
-        """Largest and least lag of the holes of a disc at the solved positions, in the direction of
-        the torque, rad.
-        """
+        """Largest and least lag of a disc's holes at solved positions, along the torque, rad."""
         solved = [rows["own"] for rows in (self.turn.fine, self.turn.again)]
         return max(float(own.max()) for own in solved), min(float(own.min()) for own in solved)
 

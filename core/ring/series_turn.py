@@ -37,19 +37,15 @@ LEAST = 120
 
 NEAR = 5e-5
 """Largest distance of forces from the straight lines between samples, over the largest force; a
-longer period has more, in proportion to its turns."""
+longer period has more, in proportion to its turns of the wave."""
 
 
 def positions_in_series(*, lobes: int, pitches: int) -> int:
-    """Number of positions of the even grid over a period, equally many in each pitch of the ring
-    pins.
+    """Number of positions of the even grid over a period, equally many in each pitch of the ring.
 
     Parameters
     ----------
-    lobes : int
-        Number z of lobes of a disc.
-    pitches : int
-        Number of pitches in the period; z turns have ``z*(z + 1)``.
+    lobes, pitches : int, of a disc, and in the period: ``z*(z + 1)`` in z turns
 
     Examples
     --------
@@ -67,16 +63,7 @@ def of_ring(rows: Rows) -> ComplexArray:
 
 
 class SeriesTurn(Turn):
-    """Both meshes under a torque over one period; refusals are those of `Stage.solved`.
-
-    Parameters
-    ----------
-    real : MeshesInSeries
-    torque : float
-        Torque on the output link, N*m, not 0; negative in reverse.
-    share : float
-        Share of the torque at which lost motion is measured.
-    """
+    """Both meshes under a torque on the output link, N*m, negative in reverse, over one period."""
 
     def __init__(self, real: MeshesInSeries, torque: float, share: float = 0.03) -> None:
         super().__init__(real, torque, share)
@@ -101,25 +88,19 @@ class SeriesTurn(Turn):
         return np.broadcast_to(own.max(axis=1, keepdims=True), own.shape).ravel()
 
     def positions(self) -> tuple[list[float], list[float]]:
-        """Crank angles of an even grid, rad, and no further ones near places where pairs gain or
-        lose contact.
-        """
+        """Crank angles of an even grid, rad, and no further ones near changes of contact."""
         lobes = self.real.ring.disc.satellite_teeth
         count = positions_in_series(lobes=lobes, pitches=self.pitches)
         return [self.period * k / count for k in range(count)], []
 
     @derived
     def close(self) -> Rows:
-        """Positions of a period, as close as the forces on the output pins and of the ring on the
-        discs need.
-        """
+        """Positions of a period, as close as forces on output pins and of the ring on discs ask."""
         near = NEAR * max(1.0, self.pitches / self.real.ring.disc.satellite_teeth)
         return refined(turn=self, near=near, besides=self._ring_off)
 
     def _ring_off(self, rows: Rows) -> FloatArray:
-        """Distance of the ring's forces from the lines between their neighbours, over the largest
-        force.
-        """
+        """Distance of the ring's forces from lines between neighbours, over the largest force."""
         parts, wave = of_ring(rows), rows["wave"]
         angles = np.concatenate(([wave[-1] - self.period], wave, [wave[0] + self.period]))
         around = np.concatenate((parts[-1:], parts, parts[:1])).T
@@ -157,15 +138,11 @@ class SeriesOverTurn(OverTurn):
 
     @derived
     def ring_pressed(self) -> tuple[Summit, float]:
-        """Place of the largest force over reduced radius on the ring, and the part that may be
-        missed.
-        """
+        """Place of the ring's largest force over reduced radius, and the error of that value."""
         return self._known("mesh_pressure", engine.LOBE_PRESSED)
 
     def _known(self, name: str, kind: int) -> tuple[Summit, float]:
-        """Place of the largest value over the positions, and the difference that half of the
-        positions or a second look make.
-        """
+        """Place of the largest value, and its change by half of the positions or a second look."""
         turn = self.turn
         coarse, fine, again = (
             self._grid(rows, name) for rows in (turn.coarse, turn.fine, turn.again)
@@ -243,18 +220,13 @@ def series_over_turn(
 ) -> SeriesOverTurn:
     """Peak forces, backlash, lost motion, transmission error and stiffness of both meshes.
 
+    Raises ImpossibleMechanism if a position has no stable equilibrium, see `Stage.solved`.
+
     Parameters
     ----------
     real : MeshesInSeries
-    output_torque : float
-        Torque T on the output link, N*m, not 0; negative in reverse.
-    lost_motion_share : float
-        Share of the torque at which lost motion is measured, 0 < share <= 1.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If a position has no stable equilibrium, see `Stage.solved`.
+    output_torque : float, T on the output link, N*m, not 0; negative in reverse
+    lost_motion_share : float, share of the torque at which lost motion is measured, > 0, <= 1
 
     Examples
     --------

@@ -40,9 +40,7 @@ class Touching(NamedTuple):
 
 
 class SharedTorque(NamedTuple):
-    """Forces of pairs that share a planet's torque, shape (m, n), and the planet's rotation, shape
-    (m,).
-    """
+    """Forces of pairs that share a planet's torque, shape (m, n), and its rotation, shape (m,)."""
 
     force: FloatArray  # F_i, N
     rotation: FloatArray  # angular deflection of the planet from centred teeth, rad
@@ -60,7 +58,7 @@ class PairsThatCarry:
 
 
 def touching(*, pair: InvolutePair, angle: FloatArray) -> Touching:
-    """Turns at which the pairs of a planet touch.
+    """Turns at which the pairs of a planet touch, for its turns theta_s in rad, shape (m,).
 
     A pair touches on the path after half the backlash if the roll angle
     ``axis_i + eps + sigma_s + alpha_w`` lies on the path, at the corner of the ring's tip on the
@@ -69,8 +67,7 @@ def touching(*, pair: InvolutePair, angle: FloatArray) -> Touching:
     Parameters
     ----------
     pair : InvolutePair
-    angle : array, shape (m,)
-        Turns theta_s of the planet, rad.
+    angle : array, rad
     """
     line, teeth = pair.line, pair.teeth
     count = teeth.satellite_teeth
@@ -143,16 +140,13 @@ def _wrapped(angle: FloatArray) -> FloatArray:
 
 
 def shared_torque(*, found: Touching, torque: float, stiffness: float) -> SharedTorque:
-    """Forces of pairs of one stiffness that share a torque.
-
-    ``F_i = k*h_i*max(0, eps - eps_i)``, ``sum F_i*h_i = T_j``; pairs are closed in the order of
-    their onsets.
+    """Forces of pairs of one stiffness that share a torque, closed in the order of their onsets:
+    ``F_i = k*h_i*max(0, eps - eps_i)``, ``sum F_i*h_i = T_j``.
 
     Parameters
     ----------
     found : Touching
-    torque, stiffness : float
-        Torque T_j, N*m, and stiffness k of a pair along the line of action, N/m, both > 0.
+    torque, stiffness : float, T_j, N*m, and k along the line of action, N/m, > 0
     """
     check_positive(torque=torque, stiffness=stiffness)
     order = found.onset.argsort(axis=1)
@@ -174,20 +168,14 @@ def pairs_that_carry(
 ) -> PairsThatCarry:
     """Numbers of pairs of perfect teeth that carry over a pitch, and the largest share of one pair.
 
+    Raises ImpossibleMechanism if the teeth interfere or touch where they are not involutes.
+
     Parameters
     ----------
     pair : InvolutePair
-    torque : float
-        Torque T_j of the planet, N*m, > 0.
-    contact_length : float
-        Width b, m, > 0.
-    stiffness : float, optional
-        Stiffness k of a pair, N/m; `PAIR_STIFFNESS` times the width by default.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If the teeth run into each other, or touch where they are not involutes.
+    torque : float, T_j of the planet, N*m, > 0
+    contact_length : float, width b, m, > 0
+    stiffness : float, optional, k of a pair, N/m; by default `PAIR_STIFFNESS` times the width
     """
     if not pair.on_involutes:
         raise ImpossibleMechanism("teeth_interfere")

@@ -66,9 +66,7 @@ class RingDeviations:
     disc_phase: tuple[float, ...] = ()  # angle of each disc's holes to its teeth, rad, K values
 
     def each(self, *, pins: int, satellites: int) -> tuple[list[float], ...]:
-        """All deviations as lists, filled with zeros; InvalidInput if a length or an entry is
-        wrong.
-        """
+        """All deviations as lists filled with zeros; InvalidInput for a wrong length or entry."""
         found = []
         for index, name in enumerate(self.__slots__):
             values, expected = getattr(self, name), pins if index < 3 else satellites
@@ -142,9 +140,7 @@ class CycloidMesh(Stage):
 
     @property
     def dead_angles(self) -> tuple[float, ...]:
-        """Angles from the crank at which a pin gains or loses contact or has its longest lever,
-        rad.
-        """
+        """Angles from the crank where a pin gains or loses contact or its lever is longest, rad."""
         longest = math.acos(self.disc.shortening_coefficient)
         return 0.0, math.pi, longest, -longest
 
@@ -156,9 +152,7 @@ class CycloidMesh(Stage):
 
     @property
     def reference_depth(self) -> float:
-        """Depth over which the approach of pin and disc is counted, m; the pin's radius unless the
-        law sets one.
-        """
+        """Depth over which the approach of pin and disc counts, m; by default the pin radius."""
         radius = self.disc.ring_pin_radius
         return float(self.law.depth(radius) if isinstance(self.law, HertzLaw) else radius)
 
@@ -186,9 +180,7 @@ class CycloidMesh(Stage):
         return ring_drive(self)
 
     def _refuse_no_radius(self) -> None:
-        """Raise ImpossibleMechanism if a pin radius or an eccentricity is not positive with its
-        deviation.
-        """
+        """Raise ImpossibleMechanism if a pin radius or an eccentricity as made is not positive."""
         own, count = self.deviations, len(self.crank_angles)
         pins = np.array(own.pin_radius or (0.0,) * self.disc.pins) + self.disc.ring_pin_radius
         cranks = np.array(own.eccentricity or (0.0,) * count) + self.eccentricity
@@ -273,19 +265,14 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     """Forces of all pairs, angular deflection, backlash and stiffness at one crank angle.
 
     Friction, speed, tilting and edge load, deformation of discs and ring, clearance and compliance
-    of the eccentric's bearings, and errors of single lobes are left out.
+    of the eccentric's bearings, and errors of single lobes are left out. Raises ImpossibleMechanism
+    if there is no stable equilibrium, see `Stage.solved`.
 
     Parameters
     ----------
     mesh : CycloidMesh
     crank_angle : float, rad
-    output_torque : float
-        Torque T of all discs, N*m, not 0; negative in reverse.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If the position has no stable equilibrium, see `Stage.solved`.
+    output_torque : float, T of all discs, N*m, not 0; negative in reverse
 
     Examples
     --------
@@ -342,8 +329,7 @@ def mesh_gaps(
     ----------
     mesh : CycloidMesh
     crank_angle : float, rad
-    rotation : tuple of float, optional
-        Lag of each disc, rad, K values, negative in reverse; 0 by default.
+    rotation : tuple of float, lag of each disc, rad, K values, negative in reverse; 0 by default
 
     Examples
     --------
@@ -408,9 +394,7 @@ class MeshTurn(OverTurn):
 
     @derived
     def interference(self) -> float:
-        """Largest interference without load over the turn, m, as `CycloidMesh.pressing_at`; 0 if no
-        pair presses anywhere.
-        """
+        """Largest interference without load over the turn, m; 0 if no pair presses anywhere."""
         if not self.pressed_without_load:
             return 0.0
         wave = self.turn.fine["wave"]
@@ -457,14 +441,12 @@ class MeshTurn(OverTurn):
 
     @derived
     def radial_force_ratio_max(self) -> float:
-        """Largest force of a disc along its crank, to the axis, over the force across the crank of
-        a disc with an equal share of the torque.
-        """
+        """Largest force of a disc along its crank, to the axis, over that across at equal share."""
         return self._by_values(engine.ALONG_MOST) / self._across
 
     @derived
     def radial_force_ratio_min(self) -> float:
-        """Least force of a disc along its crank over that across the crank at an equal share."""
+        """Least force of a disc along its crank, to the axis, over that across at equal share."""
         return self._by_values(engine.ALONG_LEAST, -1) / self._across
 
     @property
@@ -497,9 +479,7 @@ class MeshTurn(OverTurn):
 
     @property
     def mean_radial_force_ratio(self) -> float:
-        """Mean over the turn of the discs' forces along their cranks, over the mean across them;
-        normals are those of perfect parts.
-        """
+        """Mean forces along the cranks over those across them, with normals of perfect parts."""
         force, angle, slope = self._even_forces
         along = (force * (np.cos(angle) - self.mesh.disc.shortening_coefficient) / slope).sum(1)
         across = abs((force * np.sin(angle) / slope).sum(1).mean())
@@ -507,9 +487,7 @@ class MeshTurn(OverTurn):
 
     @derived
     def sliding_loss(self) -> float:
-        """Loss over output for a friction coefficient of 1: mean over the turn of the sum of force
-        times distance to the pitch point, over the torque.
-        """
+        """Loss over output for mu = 1: mean sum of force times distance to pitch point / torque."""
         (force, _, slope), disc = self._even_forces, self.mesh.disc
         far = np.abs(disc.ring_pin_circle_radius * slope - disc.ring_pin_radius)
         return float((force * far).sum(axis=1).mean()) / abs(self.turn.torque)
@@ -536,18 +514,13 @@ def mesh_over_turn(
 ) -> MeshTurn:
     """Peak force, backlash, lost motion, transmission error and stiffness over the turn.
 
+    Raises ImpossibleMechanism if a position has no stable equilibrium, see `Stage.solved`.
+
     Parameters
     ----------
     mesh : CycloidMesh
-    output_torque : float
-        Torque T of all discs, N*m, not 0; negative in reverse.
-    lost_motion_share : float
-        Share of the torque at which lost motion is measured, 0 < share <= 1.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If a position has no stable equilibrium, see `Stage.solved`.
+    output_torque : float, T of all discs, N*m, not 0; negative in reverse
+    lost_motion_share : float, share of the torque at which lost motion is measured, > 0, <= 1
 
     Examples
     --------
@@ -585,7 +558,7 @@ class IdealMesh:
 
 
 def ideal_mesh(*, disc: CycloidDisc, disc_torque: float) -> IdealMesh:
-    """Forces and backlash of a perfect disc on many pins in closed form.
+    """Forces and backlash of a perfect disc under its torque T, on many pins, in closed form.
 
     Levers are ``h = e*z*sin(a)/S``, at most ``e*z`` at ``cos(a) = K1``. Over the half of the pins
     that carries, the squares of ``sin(a)/S`` sum to z_p/4 for any K1: ``F_max = 4*T/(e*z*z_p)``,
@@ -594,8 +567,7 @@ def ideal_mesh(*, disc: CycloidDisc, disc_torque: float) -> IdealMesh:
     Parameters
     ----------
     disc : CycloidDisc
-    disc_torque : float
-        Torque of one disc, N*m, >= 0.
+    disc_torque : float, N*m, >= 0
 
     Examples
     --------
@@ -616,9 +588,7 @@ def ideal_mesh(*, disc: CycloidDisc, disc_torque: float) -> IdealMesh:
 
 
 def _ideal_backlash(disc: CycloidDisc) -> float | None:
-    """Backlash of a disc from its modification alone, rad; None if the modification makes pins
-    press.
-    """
+    """Backlash of a disc from its modification alone, rad; None if that makes pins press."""
     longest, k = disc.eccentricity * disc.satellite_teeth, disc.shortening_coefficient
     wider, circle = disc.modification.equidistant, disc.modification.pin_circle
     root = math.sqrt((1 - k) * (1 + k))

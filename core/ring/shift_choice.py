@@ -1,6 +1,4 @@
-"""Profile shifts for involute teeth of given heights that keep the tips apart with the most
-contact.
-"""
+"""Profile shifts for involute teeth of given heights that keep tips apart with the most contact."""
 
 import math
 from dataclasses import replace
@@ -26,23 +24,15 @@ SHIFT_STEP = 0.01
 
 
 def nearest_ring(*, teeth: InvoluteTeeth, room: float = TIPS_APART) -> InvolutePair:
-    """Ring's profile shift, and eccentricity without backlash, that leave a given gap between the
-    tips.
+    """Ring's profile shift, and eccentricity without backlash, that leave a given gap of the tips.
 
     The least operating pressure angle with this gap is taken, as it has the largest contact ratio;
-    it is at least the reference pressure angle.
+    it is at least the reference pressure angle. Raises NotKnown if no angle to `STEEPEST` does.
 
     Parameters
     ----------
-    teeth : InvoluteTeeth
-        Teeth; the profile shift of the ring is not used.
-    room : float
-        Interference G of the tips that has to remain.
-
-    Raises
-    ------
-    NotKnown
-        If no angle up to `STEEPEST` leaves this gap.
+    teeth : InvoluteTeeth, whose ring's profile shift is not used
+    room : float, interference G of the tips that has to remain
 
     Examples
     --------
@@ -86,20 +76,12 @@ def shifts_at(
     """Teeth with usual profile shifts, without backlash, with the largest contact ratio at an
     eccentricity; tips stay apart, the path lies on involutes, and no tooth is pointed.
 
+    Raises NotKnown if no usual shifts do, InvalidInput if base circles leave no room for e.
+
     Parameters
     ----------
-    teeth : InvoluteTeeth
-        Teeth; both profile shifts are not used.
-    eccentricity : float, m
-    room : float
-        Interference G of the tips that has to remain.
-
-    Raises
-    ------
-    NotKnown
-        If no usual shifts do.
-    InvalidInput
-        If the base circles leave no room for the eccentricity.
+    teeth : InvoluteTeeth, whose profile shifts are not used
+    eccentricity, room : float, m, and interference G of the tips that has to remain
     """
     line = LineOfAction.of(
         satellite_teeth=teeth.satellite_teeth,

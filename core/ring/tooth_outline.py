@@ -1,11 +1,9 @@
-"""Outlines of involute teeth: of a planet as its hob leaves it, of a ring as its shaper cutter
-does.
+"""Outlines of involute teeth: of a planet as its hob makes it, of a ring as its cutter does.
 
 The root fillet of the planet is left by the round tip of the rack: the centre of that round lies d
 below the pitch line of rack and planet, and the normal of the fillet passes through the pitch
 point. The fillet of the ring is the path of the sharp corner of its cutter; without a cutter the
-flanks go on to the assumed root circle. Angles count clockwise from the middle of a space, which is
-up.
+flanks go on to the assumed root circle. Angles count clockwise from the middle of a space, up.
 """
 
 import math
@@ -53,20 +51,14 @@ def satellite_outline(
 ) -> ToothOutline:
     """One tooth of an involute planet with the fillets of its hob.
 
+    Raises InvalidInput if the chord error needs more points, ImpossibleMechanism if the hob cuts
+    away a part of the involute or the teeth are pointed below their tips.
+
     Parameters
     ----------
     pair : InvolutePair
-    chord_error : float
-        Largest distance of the outline from the polygon, m, > 0.
-    most : int
-        Largest number of points of all teeth.
-
-    Raises
-    ------
-    InvalidInput
-        If the chord error is not positive, or needs more points.
-    ImpossibleMechanism
-        If the hob cuts away a part of the involute, or the teeth are pointed below their tips.
+    chord_error : float, largest distance of the outline from the polygon, m, > 0
+    most : int, largest number of points of all teeth
 
     Examples
     --------
@@ -104,24 +96,17 @@ def satellite_outline(
 def ring_outline(
     *, pair: InvolutePair, chord_error: float, most: int = MOST_POINTS
 ) -> ToothOutline:
-    """One tooth of an involute ring between half spaces, with the fillets of its cutter if it is
-    known.
+    """One tooth of an involute ring between half spaces, with the fillets of its cutter if given.
+
+    Raises InvalidInput if the chord error needs more points, ImpossibleMechanism if the teeth are
+    pointed below their tips, spaces above their roots, or the cutter is pointed or leaves no
+    involute.
 
     Parameters
     ----------
     pair : InvolutePair
-    chord_error : float
-        Largest distance of the outline from the polygon, m, > 0.
-    most : int
-        Largest number of points of all teeth.
-
-    Raises
-    ------
-    InvalidInput
-        If the chord error is not positive, or needs more points.
-    ImpossibleMechanism
-        If the teeth are pointed below their tips, the spaces above their roots, or the cutter is
-        pointed or leaves no involute.
+    chord_error : float, largest distance of the outline from the polygon, m, > 0
+    most : int, largest number of points of all teeth
     """
     teeth, base = pair.teeth, pair.line.ring_base
     low = float(roll(teeth.ring_tip, base=base))
@@ -142,9 +127,8 @@ def ring_outline(
 
 
 def _flank(*, base: float, half: float, way: int) -> Curve:
-    """Involute by its roll angles; ``half`` is the clockwise angle at the base circle from the
-    middle of a space. The angle grows (way 1, tooth) or falls (-1, space) with the involute
-    function.
+    """Involute by roll angles, from a clockwise angle ``half`` at the base circle; ``way`` is 1 for
+    the flank of a tooth, -1 for that of a space.
     """
 
     def at(tau: FloatArray) -> ComplexArray:
@@ -173,8 +157,8 @@ def _hob_fillet(teeth: InvoluteTeeth) -> Curve:
 def _cutter_corner(
     teeth: InvoluteTeeth, cutter: Cutter, ring_root: float
 ) -> tuple[Curve, float, bool]:
-    """Path of the corner of a shaper cutter, by the angle from the line of centres to the corner;
-    angle at which the path meets the flank; True if the cutter's own teeth are not pointed.
+    """Path of the corner of a shaper cutter by the angle from the line of centres; angle where the
+    path meets the flank; True if the cutter's teeth are not pointed.
     """
     alpha, shift = teeth.rack.pressure_angle, cutter.profile_shift
     tip = teeth.module * (cutter.teeth / 2 + shift + cutter.addendum)
@@ -245,8 +229,8 @@ def _arc(radius: float) -> Curve:
 def _sampled(
     curve: Curve, start: float, end: float, chord_error: float, most: int
 ) -> tuple[ComplexArray, float]:
-    """Points of a curve, even in its parameter, and the largest distance from their chords, m;
-    above ``chord_error`` if ``most`` pieces are too few.
+    """Points of a curve, even in its parameter, and the largest distance from their chords, m,
+    which exceeds ``chord_error`` if ``most`` pieces are too few.
     """
     count = 1
     while True:

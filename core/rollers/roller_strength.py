@@ -29,9 +29,7 @@ LARGE_DEFLECTION = 0.1
 
 @dataclass(frozen=True, slots=True)
 class PositionTolerance:
-    """Tolerance chi of the positions of the holes; in the source's worst case one roller is ahead
-    of the others by ``4*chi``.
-    """
+    """Tolerance chi of hole positions; in the worst case one roller is ahead by ``4*chi``."""
 
     tolerance: Number  # chi, m, >= 0
 
@@ -104,10 +102,7 @@ KINDS: dict[str, dict[str, Callable[[Any], Spacing | Shear]]] = {
 
 
 def roller_arguments(**given: Any) -> dict[str, Any]:
-    """Arguments of `roller_strength` from inputs with their own names, see `KINDS`.
-
-    Raises InvalidInput if two inputs of one kind are given.
-    """
+    """Arguments of `roller_strength` from named inputs; InvalidInput for two of one kind."""
     made = dict(given)
     for argument, kinds in KINDS.items():
         for name in kinds:
@@ -192,25 +187,16 @@ def roller_strength(
 
     Parameters
     ----------
-    output_torque : float or array
-        Output torque T, N*m, > 0.
-    hole_circle_radius : float or array
-        Radius R of the circle of holes, m.
-    rollers : int
-        Number n, >= 1.
-    cylinder_length : float or array
-        Length l of the cylinder between two spheres, m.
-    sphere_width, sphere_diameter : float or array
-        Width b and diameter D of a sphere, m.
-    diameter : float or array
-        Diameter d of the cylinder, m.
-    friction_coefficient : float or array
-        Coefficient k of sphere and hole, >= 0.
-    youngs_modulus : float or array
-        Young's modulus E, Pa.
+    output_torque : float or array, T, N*m, > 0
+    hole_circle_radius : float or array, R, m
+    rollers : int, number n, >= 1
+    cylinder_length : float or array, l between two spheres, m
+    sphere_width, sphere_diameter : float or array, b and D, m
+    diameter : float or array, d of the cylinder, m
+    friction_coefficient : float or array, k of sphere and hole, >= 0
+    youngs_modulus : float or array, E, Pa
     shear : ByPoissonsRatio or ByShearModulus
-    stress_concentration : float or array
-        Factor K_sigma, > 0.
+    stress_concentration : float or array, K_sigma, > 0
     spacing : PositionTolerance or GivenGaps
 
     Examples
@@ -292,8 +278,7 @@ def roller_fatigue(
 
     Parameters
     ----------
-    bending_stress : float
-        Largest stress sigma, Pa, > 0, with the notch factor if `strength` has none.
+    bending_stress : float, largest sigma, Pa, > 0, with the notch factor if `strength` has none
     strength : FatigueStrength
     rotates : bool
 
@@ -324,10 +309,8 @@ def relative_stiffness(
 
     Parameters
     ----------
-    relative_length, relative_width, relative_sphere : float or array
-        Ratios l/d, b/d and D/d.
-    friction_coefficient, modulus_ratio : float or array
-        Coefficient k and ratio E/G.
+    relative_length, relative_width, relative_sphere : float or array, l/d, b/d and D/d
+    friction_coefficient, modulus_ratio : float or array, k and E/G
 
     Examples
     --------
@@ -345,13 +328,11 @@ def relative_stiffness(
 def load_nonuniformity(*, relative_position_error: Number, rollers: int) -> Number:
     """Load-sharing factor, largest over mean force, ``Psi = min(n, 1 + 4*(n - 1)/n*delta)``.
 
-    Source: Ovsyannikov et al. 2019, eq. (6), fig. 5, up to n, where the other rollers carry
-    nothing.
+    Source: Ovsyannikov et al. 2019, eq. (6), fig. 5, up to n, where one roller carries all.
 
     Parameters
     ----------
-    relative_position_error : float or array
-        Relative position error delta, >= 0.
+    relative_position_error : float or array, delta, >= 0
     rollers : int
     """
     return smaller(float(rollers), 1 + 4 * (rollers - 1) / rollers * relative_position_error)

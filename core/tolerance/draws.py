@@ -92,9 +92,7 @@ class Spread:
         return self.spread(normals(uniform) if self.distribution == "normal" else uniform)
 
     def spread(self, numbers: FloatArray) -> FloatArray:
-        """Deviations for numbers of `normals`, or for numbers between 0 and 1 if the spread is
-        uniform.
-        """
+        """Deviations for numbers of `normals`, or for numbers from 0 to 1 if uniform."""
         if self.distribution == "uniform":
             return self.lower + numbers * (self.upper - self.lower)
         return (self.lower + self.upper) / 2 + (self.upper - self.lower) / 6 * numbers

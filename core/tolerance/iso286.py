@@ -40,8 +40,7 @@ class Limits:
 
 
 def fit_clearance(*, fit: str, hole_diameter: float, pin_diameter: float) -> float:
-    """Mean radial clearance of a fit whose parts have two nominal diameters, m; negative is
-    interference.
+    """Mean radial clearance of a fit of two nominal diameters, m; negative is interference.
 
     The clearance is half of the difference of the middles of both tolerances.
 

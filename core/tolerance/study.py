@@ -87,8 +87,7 @@ class ToleranceStudy:
         return percentile(values=self.column(quantity), percent=percent)
 
     def yield_within(self, *, quantity: str, limit: float, of_fitting: bool = False) -> Estimate:
-        """Share of pieces that keep a limit in SI units, a lower one for stiffness, an upper one
-        otherwise.
+        """Share of pieces that keep a limit in SI units: stiffness above it, others below it.
 
         The share is of the pieces that fit if ``of_fitting``, otherwise of all pieces, where those
         that do not fit count as failures.
@@ -171,17 +170,14 @@ class Study:
         return self.real.mechanism.pins * self.real.mechanism.satellites
 
     def block(self, pieces: int) -> int:
-        """Number of pieces in a block, which leaves each thread four blocks if there are enough
-        pieces.
-        """
+        """Number of pieces in a block; each thread gets four blocks if there are enough pieces."""
         most = min(WORK // (self.asked.positions * self.pairs), LARGEST)
         if self.mapped is None:
             most = min(most, pieces // (4 * self.cores))
         return max(most, BLOCK)
 
     def values(self, pieces: Drawn) -> tuple[FloatArray, FloatArray]:
-        """Quantities of pieces in SI units, shape (pieces, quantities), and FITS, BINDS or NOWHERE
-        of each.
+        """Quantities of pieces in SI units, shape (pieces, quantities), and FITS, BINDS or NOWHERE.
 
         Values are NaN if a piece does not fit or cannot work. Blocks are calculated in threads, or
         by `mapped`; results are bit-identical however pieces are split.
@@ -281,9 +277,7 @@ class Study:
         return Pieces(fits, *np.array([each[1] or NOTHING for each in found]).T)
 
     def _piece(self, room: Solved, looked: FloatArray) -> tuple[int, tuple[float, ...] | None]:
-        """FITS, BINDS or NOWHERE of a piece, and its quantities; None if it does not fit or cannot
-        work.
-        """
+        """FITS, BINDS or NOWHERE of a piece, and its quantities, None if it cannot work."""
         asked = self.asked
         fits = engine.goes_together(looked, room.drive, room.work, room.rows[0])
         if fits != FITS:
@@ -388,9 +382,7 @@ def tolerance_study(study: Study) -> ToleranceStudy:
 
 
 def _nominal(study: Study) -> dict[str, float]:
-    """Quantities of the piece at the middle of all limits; empty if it does not fit, refused if it
-    fits and cannot work.
-    """
+    """Quantities of the piece at the middle of all limits; empty if that piece does not fit."""
     middle = study.pieces(tolerances=study.tolerances.middle).part(0, 1)
     (values,), (fits,) = study.values_of(middle)
     if fits != FITS:
