@@ -1,8 +1,8 @@
-"""The drive: bodies, contacts and springs in one plane, and what holds them in equilibrium.
+"""Drive: bodies, contacts and springs in one plane, and their equilibrium.
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-engine              equilibrium, play and read-outs of a drive at crank angles: all that is compiled
-model               a drive as the engine takes it, of sizes and deviations
-compiled            the engine compiled
+engine              equilibrium, backlash and read-outs at crank angles: all compiled functions
+model               drive as the engine takes it, from sizes and deviations
+compiled            compilation of the engine
 """

@@ -1,7 +1,7 @@
-"""The engine compiled: each function once, for the arrays that its annotations say.
+"""Compilation of the engine: each function once, for the array types of its annotations.
 
-Numba keeps what it has compiled beside the source, or in ``NUMBA_CACHE_DIR``, for any processor of
-its kind; it may be moved to another machine, and read where it cannot be written.
+Numba keeps compiled functions beside the source, or in ``NUMBA_CACHE_DIR``, for a generic processor
+of the kind; the cache may be moved to another machine, and read where it cannot be written.
 """
 
 import functools
@@ -18,30 +18,30 @@ PLAIN = {
     for name, each in vars(engine).items()
     if isinstance(each, types.FunctionType) and each.__module__ == engine.__name__
 }
-"""Its functions as they are."""
+"""Functions of the engine before they are compiled."""
 
 CALLED = "positions", "narrow", "unloaded", "gaps", "goes_together", "pieces"
-"""Functions that are called from outside of it."""
+"""Functions of the engine that are called from outside of it."""
 
 INLINED = {
     *("touch", "pin", "lobe", "slopes", "press", "turned", "moved", "law", "disc_at", "bent"),
     *("turn_to", "window", "torque_at", "law_alone", "lay"),
 }
-"""Functions that are called at each contact."""
+"""Functions that are called at each contact, and inlined for speed."""
 
 OPTIONS = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True}
-"""Of numba. The engine makes no arrays: what it is given is held by who calls it, not counted."""
+"""Options of numba; reference counting is off, as callers hold all arrays."""
 
 MADE = "compiling, once an installation: half a minute or more"
 
 UNUSABLE = "the cache of what is compiled is broken, or cannot be read or written"
 
 Say = Callable[[str], None] | None
-"""Who is told `MADE` before anything is compiled, and `UNUSABLE`, each once; None: nobody."""
+"""Function that is called once with `MADE` before a compilation, and once with `UNUSABLE`."""
 
 
 def kind(annotation: Any) -> Any:
-    """Numba's type of an annotation of the engine."""
+    """Numba's type for an annotation of the engine."""
     from numba import types as of
 
     kinds = {
@@ -64,18 +64,16 @@ def kind(annotation: Any) -> Any:
 
 @functools.cache
 def _cache_of(say: Say) -> Any:
-    """Kind of a cache of numba's by which all start: what cannot be read is compiled, and what
-    cannot be written is compiled in memory.
-    """
+    """Class of numba's cache that compiles what it cannot read and tolerates failures to write."""
     os.environ.setdefault("NUMBA_CPU_NAME", "generic")
-    os.environ.setdefault("NUMBA_OPT", "1")  # more takes a fifth longer and runs no faster
+    os.environ.setdefault("NUMBA_OPT", "1")  # higher takes a fifth longer and runs no faster
     from numba.core import caching, config
 
-    config.reload_config()  # which reads it as it is imported, by whoever does so first
+    config.reload_config()  # numba may have been imported before the environment was set
     told = functools.cache(say or str)
 
     class Place:
-        """Beside the source or in ``NUMBA_CACHE_DIR``, whether that can be written or not."""
+        """Folder beside the source or in ``NUMBA_CACHE_DIR``, writable or not."""
 
         @staticmethod
         def from_function(function: types.FunctionType, file: str) -> Any:
@@ -91,7 +89,7 @@ def _cache_of(say: Say) -> Any:
         def load_overload(self, *asked: Any) -> Any:
             found = self._found(asked)
             if found is None:
-                told(MADE)  # who is told may have waited until another process has made it
+                told(MADE)  # the function told may have waited until another process has compiled
                 found = self._found(asked)
             if found is None:
                 _take_in(self._py_func)
@@ -100,7 +98,7 @@ def _cache_of(say: Say) -> Any:
         def _found(self, asked: Any) -> Any:
             try:
                 return super().load_overload(*asked)
-            except Exception:  # whatever a broken file makes of it
+            except Exception:  # a broken file may raise anything
                 told(UNUSABLE)
                 with suppress(OSError):
                     self.flush()
@@ -117,8 +115,8 @@ def _cache_of(say: Say) -> Any:
 
 @functools.cache
 def _linked() -> type:
-    """Kind of a pipeline of numba's that makes no machine code: what it compiles becomes a part of
-    those functions that call it, and is optimised there.
+    """Pipeline of numba that makes no machine code: its functions become a part of each function
+    that calls them, and are optimised there.
     """
     from numba.core.codegen import JITCodeLibrary
     from numba.core.compiler import Compiler
@@ -129,7 +127,7 @@ def _linked() -> type:
             return self
 
         def set_env(self, *_: Any) -> None:
-            """Know no objects of Python: those who call a part have none either."""
+            """Set nothing: the engine has no objects of Python."""
 
         def get_pointer_to_function(self, _: str) -> int:
             return 0
@@ -148,17 +146,8 @@ def _linked() -> type:
 
 
 def load(say: Say = None) -> None:
-    """Have the engine compiled from now on: read from numba's cache, or made now.
-
-    Parameters
-    ----------
-    say : callable, optional
-        Told, each once, that something is compiled, and that a cache cannot be used.
-
-    Raises
-    ------
-    ImportError
-        If numba is not installed.
+    """Compile the engine, or read it from numba's cache, and put the result into its module;
+    ``say`` is called once if something is compiled, and once if a cache cannot be used.
     """
     import numba
 

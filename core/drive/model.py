@@ -1,4 +1,4 @@
-"""A drive as the engine takes it: contacts of a piece or of many, and bodies that they move."""
+"""Drive as the engine takes it: contacts of one piece or of many, and the bodies that they move."""
 
 from typing import Any, NamedTuple
 
@@ -9,22 +9,22 @@ from core.drive import engine
 from core.drive.engine import Drive, Work
 
 FLOATS = engine.RATIO + 1, engine.WIDER + 1
-"""Floats of a group and of a contact."""
+"""Numbers of floats of a group and of a contact."""
 
 
 class Contacts(NamedTuple):
-    """Contacts of one kind of all discs, of many pieces."""
+    """Contacts of one kind, of all K discs with N contacts each, in S pieces."""
 
     kind: int  # JOURNAL, PIN or LOBE of the engine
-    law: int  # of the engine
-    exact: bool  # geometry; else first order
-    gf: FloatArray  # floats of the engine of each disc, shape (S, K, 16)
-    cf: FloatArray  # and of each contact, shape (S, K, N, 13)
+    law: int  # LINEAR, POWER, HERTZ or CONFORMAL of the engine
+    exact: bool  # false: geometry in first order of lag and deviations
+    gf: FloatArray  # engine's floats of the group of each disc, shape (S, K, 16)
+    cf: FloatArray  # engine's floats of each contact, shape (S, K, N, 13)
 
     @property
     def straddle(self) -> bool:
-        """True where a pin may press both flanks of a valley: it is wider than the tool by more
-        than the path is round there.
+        """True if a pin may press both flanks of a valley: its radius exceeds the tool's by more
+        than the valley's radius of curvature on the path.
         """
         own = engine.LOBES, engine.SHORT, engine.TOOL_R
         pins, k, tool = (self.gf[..., each][..., None] for each in own)
@@ -33,43 +33,43 @@ class Contacts(NamedTuple):
 
 
 class Bending(NamedTuple):
-    """Pins that bend between their discs."""
+    """Stiffness of pins that bend between their discs."""
 
-    stiffness: FloatArray  # of one pin between its places, N/m, shape (K, K)
-    end: float = 0.0  # of one end, where a ring joins these, N/m
-    to_end: FloatArray | None = None  # between an end and the places, N/m, shape (K,)
+    stiffness: FloatArray  # stiffness of one pin between its K places, N/m, shape (K, K)
+    end: float = 0.0  # stiffness of the end of one pin, if a ring joins the ends, N/m
+    to_end: FloatArray | None = None  # stiffness between an end and the places, N/m, shape (K,)
 
 
 class Springs(NamedTuple):
-    """What gives besides the contacts."""
+    """Stiffness of parts besides the contacts."""
 
-    # Of a disc on its crank, N/m; 0 where that is rigid. Along the crank alone, but where there are
-    # lobes and pins: what acts across it is the ring's.
+    # Radial stiffness of a disc's bearing on its crank, N/m; 0 is rigid. With one mesh only the
+    # shift along the crank counts, with ring and output pins the shift across it too.
     bearing: float = 0.0
-    mesh: float = 0.0  # of a disc in its ring, N*m/rad; 0 where that is rigid
-    bending: Bending | None = None  # of the output pins
+    mesh: float = 0.0  # torsional stiffness of a disc in its ring, N*m/rad; 0 is rigid
+    bending: Bending | None = None  # bending of the output pins
 
 
 RIGID = Springs()
 
 
 class Pieces(NamedTuple):
-    """Drives that differ in their sizes alone, as `engine.Drive`."""
+    """Drives of S pieces that differ in their sizes only, as `engine.Drive`."""
 
     gi: IntArray  # integers of the groups, shape (G, 10)
     gf: FloatArray  # floats of the groups, shape (S, G, 16)
     ci: IntArray  # integers of the contacts, shape (n, 3)
     cf: FloatArray  # floats of the contacts, shape (S, n, 13)
-    table: FloatArray  # of the conformal law
-    kgg: FloatArray  # springs, as the engine's, shape (bodies, bodies)
-    kbb: FloatArray  # of a pin that bends, shape (2*K, 2*K), or nothing
-    kbg: FloatArray  # between both, shape (pins, 2*K, bodies)
-    share: FloatArray  # of the torque that bodies carry
-    weight: FloatArray  # squares of the lengths by which displacements count, m^2 or 1
+    table: FloatArray  # constants of the conformal law, see `engine.over_width`
+    kgg: FloatArray  # stiffness between bodies, shape (bodies, bodies)
+    kbb: FloatArray  # stiffness of a pin that bends, shape (2*K, 2*K) or empty
+    kbg: FloatArray  # stiffness between bent pins and bodies, shape (pins, 2*K, bodies)
+    share: FloatArray  # share of the torque on each body
+    weight: FloatArray  # weights of squared displacements: squared radius, m^2, or 1
 
     @property
     def sound(self) -> BoolArray:
-        """Which pieces have pins, holes and cranks of a size, shape (S,)."""
+        """True for pieces whose pins, holes and cranks have positive sizes, shape (S,)."""
         gf, cf = self.gf[:, self.gi[:, engine.KIND] > engine.JOURNAL], self.cf
         least = np.minimum(gf[..., engine.ECC].min(axis=1), cf[..., engine.RAD].min(axis=1))
         wide = gf[..., engine.BASE_E].min(axis=1) + cf[..., engine.WIDER].min(axis=1)
@@ -77,17 +77,7 @@ class Pieces(NamedTuple):
         return found
 
     def drive(self, piece: int = 0) -> Drive:
-        """One of them.
-
-        Parameters
-        ----------
-        piece : int
-            Which.
-
-        Returns
-        -------
-        Drive
-        """
+        """Drive of one piece."""
         fields = self._asdict()
         fields |= {"gf": self.gf[piece], "cf": self.cf[piece]}
         return Drive(**{name: fields[name] for name in Drive._fields})
@@ -104,25 +94,16 @@ def pieces_of(
 ) -> Pieces:
     """Drives of discs on output pins, of a ring on its discs, or of both in series.
 
+    With both kinds of pins each disc has a lag of its own between them. ``shares`` of the torque in
+    one mesh let each disc turn for itself; by default all discs have one lag.
+
     Parameters
     ----------
-    lobes : Contacts, optional
-        Of the discs on the ring's pins.
-    pins : Contacts, optional
-        Of the output pins; where there are lobes too each disc has a lag of its own between both.
-    shares : tuple of float, optional
-        Of the torque, where one mesh alone shares it so: each disc turns for itself. Else all discs
-        have one lag.
+    lobes, pins : Contacts, optional, of ring pins and of output pins
+    shares : tuple of float
     springs : Springs
-        Of bearings, meshes and pins.
-    journals : Contacts, optional
-        Of the cranks in their discs, which float there between lobes and pins.
-    table : array
-        Constants of the conformal law, see `engine.over_width`.
-
-    Returns
-    -------
-    Pieces
+    journals : Contacts, optional, of cranks in discs that float between lobes and pins
+    table : array, constants of the conformal law, see `engine.over_width`
     """
     kinds = [each for each in (pins, journals, lobes) if each]
     discs = kinds[0].gf.shape[1]
@@ -185,19 +166,13 @@ def pieces_of(
 
 
 def links(*, gi: list[list[int]], contacts: int, blocks: int) -> IntArray:
-    """Integers of the contacts: the pin that bends with each and its place, the first foot of a
-    second one.
+    """Engine's integers of the contacts, shape (n, 3): block and plane of a bent pin, contact of
+    the first foot of a second one.
 
     Parameters
     ----------
-    gi : list of list of int
-        Integers of the groups.
-    contacts, blocks : int
-        Numbers of contacts, and of pins that bend.
-
-    Returns
-    -------
-    array, shape (n, 3)
+    gi : list of list of int, integers of the groups
+    contacts, blocks : int, numbers of contacts, and of pins that bend
     """
     ci = np.full((contacts, engine.FIRST + 1), -1)
     for j, row in enumerate(gi):
@@ -213,24 +188,14 @@ def links(*, gi: list[list[int]], contacts: int, blocks: int) -> IntArray:
 def bent_springs(
     *, bending: Bending | None, pins: Contacts | None, kgg: FloatArray, ring: int
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Springs of bodies, of a pin that bends, and between both.
+    """Stiffness matrices kgg, kbb and kbg of `Pieces`, with the bending of the output pins.
 
     Parameters
     ----------
     bending : Bending, optional
-        Of the pins.
     pins : Contacts, optional
-        The output pins.
-    kgg : array, shape (bodies, bodies)
-        Springs of the bodies without it.
-    ring : int
-        The first of three displacements of a ring that joins the pins' ends: of its middle, and
-        along the circle of the pins.
-
-    Returns
-    -------
-    kgg, kbb, kbg : array
-        As `Pieces` has them.
+    kgg : array, shape (bodies, bodies), stiffness without bending
+    ring : int, index of the displacements of a tie ring: two of its middle, one along the circle
     """
     if bending is None or pins is None:
         return kgg, np.zeros((0, 0)), np.zeros((0, 0, len(kgg)))
@@ -240,7 +205,7 @@ def bent_springs(
         kgg = kgg.copy()
         for i in range(count):
             c, s = pins.cf[0, 0, i, [engine.CB, engine.SB]]
-            # The end in directions of its pin, outward and as the output turns.
+            # Shift of the end in the directions of its pin, outward and as the output turns.
             moves = np.array([[-s, c, 0.0], [-c, -s, 1.0]])
             kbg[i, :, ring:] = np.kron(bending.to_end[:, None], moves)
             kgg[ring:, ring:] += bending.end * moves.T @ moves
@@ -248,17 +213,7 @@ def bent_springs(
 
 
 def work_for(drive: Drive) -> Work:
-    """Room for a position of a drive.
-
-    Parameters
-    ----------
-    drive : Drive
-        The drive.
-
-    Returns
-    -------
-    Work
-    """
+    """Empty arrays for one position of a drive."""
     bodies, contacts, groups = len(drive.share), len(drive.ci), len(drive.gi)
     blocks, nb = drive.kbg.shape[:2]
     shapes: dict[str, Any] = {

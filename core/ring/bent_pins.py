@@ -1,8 +1,8 @@
-"""Forces on the pins of a ring over the turn, by which those bend that are held at both ends.
+"""Forces on ring pins over the turn, for pins that bend between two supports.
 
-A disc presses a pin along the normal of its path, ``(1 - K1*cos(a), K1*sin(a))/S`` outward and as
-the output turns, a being the angle from its crank to the pin. What several discs do at once adds as
-vectors.
+A disc presses a pin along the normal of the pin's path, ``(1 - K1*cos(a), K1*sin(a))/S`` outward
+and in the direction of the output's rotation; a is the angle from the crank of the disc to the pin.
+Forces of several discs add as vectors.
 """
 
 import math
@@ -14,32 +14,21 @@ from core.ring.sharing import MeshTurn
 
 
 def forces_on_ring(turn: MeshTurn) -> PinForces:
-    """Forces of cycloid discs on the pins of their ring.
-
-    Parameters
-    ----------
-    turn : MeshTurn
-        The mesh under a torque.
-
-    Returns
-    -------
-    PinForces
-        In the frame of the ring; the normals are those of perfect parts.
+    """Forces of cycloid discs on ring pins in the ring's frame, N, with normals of perfect parts.
 
     Examples
     --------
-    A disc of 29 lobes: the largest force is that of a published program.
+    Largest force of a disc of 29 lobes, which agrees with a published program.
 
+    >>> from core.materials import ElasticMaterial
     >>> from core.output.elasticity import LinearLaw
     >>> from core.ring.profile import CycloidDisc
     >>> from core.ring.sharing import CycloidMesh, mesh_over_turn
     >>> disc = CycloidDisc(satellite_teeth=29, eccentricity=1.250025e-3,
     ...                    ring_pin_circle_radius=0.0525, ring_pin_radius=3.5e-3)
-    >>> from core.materials import ElasticMaterial
     >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.0135,
-    ...                    law=LinearLaw(1e8), exact=False,
-    ...     pin_material=steel, disc_material=steel)
+    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.0135, exact=False,
+    ...                    law=LinearLaw(1e8), pin_material=steel, disc_material=steel)
     >>> found = forces_on_ring(mesh_over_turn(mesh=mesh, output_torque=58.0))
     >>> found.on_pins.shape[:2], round(float(abs(found.on_pins).max()), 2)
     ((1, 30), 213.14)

@@ -14,33 +14,22 @@ from core.output.room import Errors
 
 
 class LobeErrors(NamedTuple):
-    """Deviations of the ring's pins of pieces, and what their discs are cut with."""
+    """Deviations of the ring pins of S pieces, and sizes of the tools of their discs."""
 
     radial: FloatArray  # m, shape (S, z_p)
     tangential: FloatArray  # m, shape (S, z_p)
     radius: FloatArray  # m, shape (S, z_p)
-    tool: FloatArray  # as `tool_of`, shape (S, 4)
+    tool: FloatArray  # values of `tool_of`, m, shape (S, 4)
 
 
 def tool_of(disc: Any) -> tuple[float, float, float, float]:
-    """Sizes that a disc is cut with: R_m, r_m, equidistant and pin circle of its modification.
-
-    Parameters
-    ----------
-    disc : CycloidDisc
-        The disc.
-
-    Returns
-    -------
-    tuple of float
-        m.
-    """
+    """R_m, r_m, equidistant and pin_circle that a disc is cut with, m."""
     own = disc.modification
     return disc.tool_circle_radius, disc.tool_radius, own.equidistant, own.pin_circle
 
 
 def _lobes(ring: Any, errors: LobeErrors, cranks: Cranks) -> Contacts:
-    """The pins of a ring on the lobes of discs."""
+    """Contacts of the ring pins with the lobes of the discs."""
     disc, e = ring.disc, ring.eccentricity
     circle, z = disc.ring_pin_circle_radius, disc.pins - 1
     kind, gf, cf = blank(stage=ring, pins=disc.pins, radius=circle, errors=errors, cranks=cranks)
@@ -65,20 +54,13 @@ def _lobes(ring: Any, errors: LobeErrors, cranks: Cranks) -> Contacts:
 
 
 def series_pieces(*, series: Any, teeth: LobeErrors, errors: Errors[FloatArray]) -> Pieces:
-    """Drives of many pieces of both meshes in series.
+    """Drives of many pieces of both meshes in series, from nominal design and deviations.
 
     Parameters
     ----------
     series : MeshesInSeries
-        The nominal design.
     teeth : LobeErrors
-        Deviations of the rings.
     errors : Errors of array
-        Those of output pins, holes, cranks and discs.
-
-    Returns
-    -------
-    Pieces
     """
     output = series.output
     pins = in_series(pins=output_pins(output=output, errors=errors), output=output)
@@ -92,7 +74,7 @@ def series_pieces(*, series: Any, teeth: LobeErrors, errors: Errors[FloatArray])
 
 
 def _as_made(ring: Any) -> tuple[LobeErrors, Cranks]:
-    """Deviations of one ring and its discs."""
+    """Deviations of one ring and its discs, as arrays of one piece."""
     rows = ring.deviations.each(pins=ring.disc.pins, satellites=len(ring.crank_angles))
     given = [np.array([each]) for each in rows]
     tool = np.array([tool_of(ring.disc)])
@@ -100,35 +82,12 @@ def _as_made(ring: Any) -> tuple[LobeErrors, Cranks]:
 
 
 def ring_drive(ring: Any) -> Pieces:
-    """Drive of a ring and its discs as they are made.
-
-    Parameters
-    ----------
-    ring : CycloidMesh
-        The ring.
-
-    Returns
-    -------
-    Pieces
-        One.
-    """
+    """Drive of one ring and its discs as they are made."""
     lobes, shares = _lobes(ring, *_as_made(ring)), tuple(ring.support.given_shares)
     return pieces_of(lobes=lobes, shares=shares, table=table_of(curve=NO_CURVE, wrap=NO_WRAP))
 
 
 def series_drive(series: Any) -> Pieces:
-    """Drive of both meshes as they are made; discs are put onto the output pins by the holes that
-    lie next to them.
-
-    Parameters
-    ----------
-    series : MeshesInSeries
-        Both meshes.
-
-    Returns
-    -------
-    Pieces
-        One.
-    """
+    """Drive of both meshes as made; holes are numbered as discs come onto the output pins."""
     teeth, _ = _as_made(series.ring)
     return series_pieces(series=series, teeth=teeth, errors=series.output.errors)

@@ -1,7 +1,7 @@
-"""An involute satellite in an involute ring of few teeth more: sizes, backlash, path of contact.
+"""Involute planet (satellite in code) in an involute ring: sizes, backlash, path of contact.
 
-Profile shifts are positive outwards on both: a positive one of the ring makes its spaces wider, its
-tip and root circles larger. Heights are in modules.
+Profile shifts are positive outwards on both: a positive shift of the ring widens its spaces and
+enlarges its tip and root circles. Heights are in modules.
 """
 
 import math
@@ -15,76 +15,51 @@ from core.precision import ROUNDING, SAME
 from core.ring.line_of_action import LineOfAction, TipCrossing, involute, roll
 
 MOST_DIFFERENCE = 8
-"""Most teeth of the ring more than a satellite has of which anything is said."""
+"""Largest difference of teeth between ring and planet that is accepted."""
 
 STANDARD_ANGLES = (math.radians(14.5) * (1 - SAME), math.radians(30) * (1 + SAME))
-"""Least and largest reference pressure angle of which anything is said, rad."""
+"""Least and largest reference pressure angle that is accepted, rad."""
 
 TIPS_APART = 0.05
-"""Interference G of the tips that is left as a margin."""
+"""Least G of `TipCrossing.interference` that is left as a margin, rad times teeth."""
 
 HEIGHTS = (0.3, 1.2)
-"""Least and largest addendum of which anything is said, in modules."""
+"""Least and largest addendum that is accepted, in modules."""
 
 
 @dataclass(frozen=True, slots=True)
 class Rack:
-    """The basic rack whose hob makes the satellite; that of ISO 53 A where nothing is said."""
+    """Basic rack of the hob that cuts the planet; the defaults are ISO 53 A."""
 
     pressure_angle: float = math.radians(20)  # alpha, rad
-    dedendum: float = 1.25  # h_f, of the gear, in modules
+    dedendum: float = 1.25  # h_f of the gear, in modules
     tip_radius: float = 0.38  # rho_f, in modules
 
     @property
     def straight(self) -> float:
-        """How far below its reference line the rack's flank is straight, in modules."""
+        """Depth below the reference line down to which the rack's flank is straight, in modules."""
         return self.dedendum - self.tip_radius * (1 - math.sin(self.pressure_angle))
 
     @property
     def most_round(self) -> float:
-        """Largest radius for which there is room at the rack's tip, in modules."""
+        """Largest tip radius for which the rack's tip has room, in modules."""
         land = math.pi / 4 - self.dedendum * math.tan(self.pressure_angle)
         return land * math.cos(self.pressure_angle) / (1 - math.sin(self.pressure_angle))
 
     def form_roll(self, *, teeth: int, shift: Number) -> Number:
-        """Roll angle from which on the satellite's flank is an involute, rad; below 0 it is
-        undercut.
+        """Roll angle above which the planet's flank is an involute, rad; undercut if below 0.
 
-        ``tan(alpha_F) = tan(alpha) - 4*(h' - x_s)/(z_s*sin(2*alpha))``, h' how far the rack is
-        straight.
-
-        Parameters
-        ----------
-        teeth : int
-            Teeth z_s.
-        shift : float or array
-            Profile shift x_s.
-
-        Returns
-        -------
-        float or array
-            rad.
+        ``tan(alpha_F) = tan(alpha) - 4*(h' - x_s)/(z_s*sin(2*alpha))`` with h' `straight`.
         """
         alpha = self.pressure_angle
         return math.tan(alpha) - 4 * (self.straight - shift) / (teeth * math.sin(2 * alpha))
 
 
 def usual_rack(*, pressure_angle: float) -> Rack:
-    """The rack of ISO 53 A at a pressure angle: its tip is as round as there is room for.
-
-    Parameters
-    ----------
-    pressure_angle : float
-        Pressure angle alpha, rad.
-
-    Returns
-    -------
-    Rack
+    """Rack of ISO 53 A at a pressure angle alpha in rad, its tip as round as there is room for.
 
     Examples
     --------
-    >>> usual_rack(pressure_angle=math.radians(20)).tip_radius
-    0.38
     >>> round(usual_rack(pressure_angle=math.radians(25)).tip_radius, 3)
     0.318
     """
@@ -94,7 +69,7 @@ def usual_rack(*, pressure_angle: float) -> Rack:
 
 @dataclass(frozen=True, slots=True)
 class Cutter:
-    """The shaper cutter that makes the ring."""
+    """Shaper cutter of the ring."""
 
     teeth: int  # z_0
     profile_shift: float = 0.0  # x_0
@@ -103,7 +78,7 @@ class Cutter:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InvoluteTeeth:
-    """Involute teeth of satellite and ring."""
+    """Involute teeth of planet and ring."""
 
     satellite_teeth: int  # z_s
     ring_teeth: int  # z_r
@@ -113,39 +88,39 @@ class InvoluteTeeth:
     satellite_addendum: float  # h_as, in modules
     ring_addendum: float  # h_ar, in modules
     rack: Rack = Rack()
-    cutter: Cutter | None = None  # of the ring
+    cutter: Cutter | None = None  # shaper cutter of the ring
 
     @property
     def difference(self) -> int:
-        """Teeth of the ring less those of the satellite."""
+        """Number of teeth of the ring less that of the planet."""
         return self.ring_teeth - self.satellite_teeth
 
     @property
     def satellite_tip(self) -> float:
-        """r_as, m."""
+        """Tip radius r_as of the planet, m."""
         height = self.satellite_profile_shift + self.satellite_addendum
         return self.module * (self.satellite_teeth / 2 + height)
 
     @property
     def ring_tip(self) -> float:
-        """r_ar, m."""
+        """Tip radius r_ar of the ring, m."""
         height = self.ring_profile_shift - self.ring_addendum
         return self.module * (self.ring_teeth / 2 + height)
 
     @property
     def satellite_root(self) -> float:
-        """r_fs, m."""
+        """Root radius r_fs of the planet, m."""
         height = self.satellite_profile_shift - self.rack.dedendum
         return self.module * (self.satellite_teeth / 2 + height)
 
     @property
     def satellite_half_angle(self) -> float:
-        """sigma_s of a tooth at the base circle, rad."""
+        """Half angle sigma_s of a planet's tooth at the base circle, rad."""
         return self._half_angle(self.satellite_teeth, self.satellite_profile_shift)
 
     @property
     def ring_half_angle(self) -> float:
-        """sigma_r of a space at the base circle, rad."""
+        """Half angle sigma_r of a ring's space at the base circle, rad."""
         return self._half_angle(self.ring_teeth, self.ring_profile_shift)
 
     def _half_angle(self, teeth: int, shift: float) -> float:
@@ -153,13 +128,7 @@ class InvoluteTeeth:
         return (math.pi / 2 + 2 * shift * math.tan(alpha)) / teeth + float(involute(alpha))
 
     def check(self) -> None:
-        """Refuse sizes of which nothing can be said.
-
-        Raises
-        ------
-        InvalidInput
-            If they are.
-        """
+        """Raise InvalidInput if sizes, difference of teeth, rack or addenda are out of range."""
         check_positive(satellite_teeth=self.satellite_teeth, module=self.module)
         check_finite(
             satellite_profile_shift=self.satellite_profile_shift,
@@ -186,25 +155,14 @@ class InvoluteTeeth:
 
 
 def rack_of(*, pressure_angle: float, dedendum: float, tip_radius: float | None) -> Rack:
-    """A rack whose tip is as round as that of `usual_rack` where its radius is not given.
+    """Rack with a given dedendum; its tip is as round as `usual_rack` has it if no radius is given.
+
+    Raises InvalidInput if the flanks of the rack meet above its tip.
 
     Parameters
     ----------
-    pressure_angle : float
-        Pressure angle alpha, rad.
-    dedendum : float
-        h_f, in modules.
-    tip_radius : float or None
-        rho_f, in modules.
-
-    Returns
-    -------
-    Rack
-
-    Raises
-    ------
-    InvalidInput
-        If its flanks meet above its tip.
+    pressure_angle, dedendum : float, rad and modules
+    tip_radius : float or None, modules
     """
     rack = Rack(pressure_angle, dedendum)
     if not rack.most_round >= 0:
@@ -217,31 +175,16 @@ def rack_of(*, pressure_angle: float, dedendum: float, tip_radius: float | None)
 def addendum_of(
     *, name: str, tip_radius: float, teeth: int, shift: float, module: float, pressure_angle: float
 ) -> float:
-    """Addendum of a satellite or of a ring by the radius of its tips, in modules.
+    """Addendum of planet or ring from its tip radius, in modules.
+
+    Raises InvalidInput if the tip lies within the base circle or the addendum is out of `HEIGHTS`.
 
     Parameters
     ----------
     name : {"satellite_tip_radius", "ring_tip_radius"}
-        Whose.
-    tip_radius : float
-        r_as or r_ar, m.
+    tip_radius : float, m
     teeth : int
-        Its teeth.
-    shift : float
-        Its profile shift.
-    module : float
-        Module m, m.
-    pressure_angle : float
-        Reference pressure angle alpha, rad.
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    InvalidInput
-        If the tips lie within the base circle, or the addendum is none of `HEIGHTS`.
+    shift, module, pressure_angle : float, profile shift in modules, m and rad
     """
     outwards = 1 if name == "satellite_tip_radius" else -1
     own, base = teeth / 2 + shift, module * (teeth * math.cos(pressure_angle) / 2)
@@ -256,67 +199,67 @@ def addendum_of(
 
 
 class RingFlank(NamedTuple):
-    """A flank of the ring as it is made."""
+    """Flank of the ring as it is made."""
 
     root: float  # r_fr, m
-    form_roll: float  # roll angle up to which it is an involute, rad; infinite without a cutter
+    form_roll: float  # roll angle where the involute ends, rad; infinite without a cutter
 
 
 @dataclass(frozen=True)
 class InvolutePair:
-    """How involute teeth of satellite and ring mesh."""
+    """Mesh of an involute planet and its ring."""
 
-    teeth: InvoluteTeeth  # what is given
-    line: LineOfAction  # on which they touch
+    teeth: InvoluteTeeth  # teeth of planet and ring
+    line: LineOfAction  # line of action at the eccentricity
     eccentricity_without_backlash: float  # e_0, m
     normal_backlash: float  # j_n, m: below 0 the teeth press
-    ring_flank: RingFlank  # as it is made
+    ring_flank: RingFlank
     accuracy: Accuracy
 
     @property
     def ring_root(self) -> float:
-        """r_fr, m."""
+        """Root radius r_fr of the ring, m."""
         return self.ring_flank.root
 
     @property
     def backlash(self) -> float:
-        """Angle by which the satellite can turn in the ring, rad: below 0 the teeth press."""
+        """Angle by which the planet can turn in the ring, rad; below 0 the teeth press."""
         return self.normal_backlash / self.line.satellite_base
 
     @cached_property
     def start_roll(self) -> float:
-        """Roll angle of the satellite at the start of the path, at the ring's tip."""
+        """Roll angle of the planet at the start of the path, where the ring's tip is in contact."""
         return float(self.line.start_roll(self.teeth.ring_tip))
 
     @cached_property
     def end_roll(self) -> float:
-        """Roll angle of the satellite at the end of the path, at its tip."""
+        """Roll angle of the planet at the end of the path, where the planet's tip is in contact."""
         return float(self.line.end_roll(self.teeth.satellite_tip))
 
     @property
     def contact_ratio(self) -> float:
-        """eps, below 1 the motion is not handed on."""
+        """Contact ratio eps; below 1 the motion is not continuous."""
         return float(self.line.contact_ratio(start=self.start_roll, end=self.end_roll))
 
     @property
     def pitch_point_on_path(self) -> bool:
-        """Whether the flanks roll on each other somewhere on the path."""
+        """True if the pitch point lies on the path, where flanks roll without sliding."""
         return self.start_roll <= self.line.pitch_roll <= self.end_roll
 
     @property
     def form_roll_satellite(self) -> float:
-        """Roll angle from which on the satellite's flank is an involute, rad; below 0: undercut."""
+        """Roll angle above which the planet's flank is an involute, rad; undercut if below 0."""
         shift = self.teeth.satellite_profile_shift
         return float(self.teeth.rack.form_roll(teeth=self.teeth.satellite_teeth, shift=shift))
 
     @property
     def satellite_undercut(self) -> bool:
-        """Whether the hob cuts away a part of the satellite's involute."""
+        """True if the hob cuts away a part of the planet's involute."""
         return self.form_roll_satellite < 0
 
     @property
     def on_involutes(self) -> bool:
-        """Whether tips pass each other, and flanks touch only where they are involutes."""
+        """True if tips pass each other and the whole path of contact lies on involutes."""
         whole = self.end_roll_ring <= self.ring_flank.form_roll
         return self.tips_apart(0.0) and self.start_roll >= self.form_roll_satellite >= 0 and whole
 
@@ -327,81 +270,69 @@ class InvolutePair:
 
     @property
     def form_roll_ring(self) -> float | None:
-        """Roll angle of the ring up to which its flank is one, rad; None without a cutter."""
+        """Roll angle up to which the ring's flank is an involute, rad; None without a cutter."""
         return self.ring_flank.form_roll if self.ring_flank.form_roll < math.inf else None
 
     @cached_property
     def crossing(self) -> TipCrossing:
-        """Where the tip circles cross."""
+        """Passage of the tips at the crossing of the tip circles."""
         return self.line.crossing(
             satellite_tip=self.teeth.satellite_tip, ring_tip=self.teeth.ring_tip
         )
 
     @property
     def tips_overlap_all_round(self) -> bool:
-        """Whether the satellite's tip circle has the ring's in it."""
+        """True if the planet's tip circle encloses the ring's tip circle."""
         return bool(self.crossing.overlap)
 
     def tips_apart(self, room: float) -> bool:
-        """Whether the tip circles cross, and the tips leave so much room where they do.
-
-        Parameters
-        ----------
-        room : float
-            Least `tip_interference`, dimensionless.
-
-        Returns
-        -------
-        bool
-        """
+        """True if the tip circles cross and `tip_interference` is at least ``room``."""
         return float(self.crossing.interference) >= room
 
     @property
     def tip_interference(self) -> float | None:
-        """G of the tips beside the path of contact, at least 0; None where the tip circles do not
-        cross.
-        """
+        """Interference G of the tips, which has to be >= 0; None if tip circles do not cross."""
         found = float(self.crossing.interference)
         return None if math.isnan(found) else found
 
     @property
     def tip_gap(self) -> float | None:
-        """About how wide the gap there is, m."""
+        """Approximate gap between the tips at their crossing, m; None if there is no crossing."""
         if self.tip_interference is None:
             return None
         return self.tip_interference * self.teeth.ring_tip / self.teeth.ring_teeth
 
     @property
     def tip_clearance_satellite(self) -> float:
-        """From the satellite's tip to the ring's root, m."""
+        """Clearance from the planet's tip to the ring's root, m."""
         return self.ring_root - self.line.eccentricity - self.teeth.satellite_tip
 
     @property
     def tip_clearance_ring(self) -> float:
-        """From the ring's tip to the satellite's root, m."""
+        """Clearance from the ring's tip to the planet's root, m."""
         return self.teeth.ring_tip - self.line.eccentricity - self.teeth.satellite_root
 
     @property
     def satellite_tip_thickness(self) -> float:
-        """Of the satellite's teeth along the tip circle, m: below 0 they are pointed."""
+        """Thickness of the planet's teeth along the tip circle, m; below 0 they are pointed."""
         tip = float(involute(math.atan(self.end_roll)))
         return 2 * self.teeth.satellite_tip * (self.teeth.satellite_half_angle - tip)
 
     @property
     def ring_tip_thickness(self) -> float:
-        """Of the ring's teeth along the tip circle, m: below 0 they are pointed."""
+        """Thickness of the ring's teeth along the tip circle, m; below 0 they are pointed."""
         tip = float(involute(math.atan(roll(self.teeth.ring_tip, base=self.line.ring_base))))
         half = math.pi / self.teeth.ring_teeth - self.teeth.ring_half_angle
         return 2 * self.teeth.ring_tip * (half + tip)
 
     @property
     def reduced_radius_start(self) -> float | None:
-        """Of curvature at the start of the path, m; None where the satellite has no involute."""
+        """Reduced radius of curvature at the start of the path, m; None where it is not defined."""
         return self._reduced_radius(self.start_roll)
 
     @property
     def reduced_radius_end(self) -> float | None:
-        """Of curvature at the end of the path, m; None where both flanks have one curvature."""
+        """Reduced radius of curvature at the end of the path, m; None where it is not defined."""
         return self._reduced_radius(self.end_roll)
 
     def _reduced_radius(self, at: float) -> float | None:
@@ -410,29 +341,18 @@ class InvolutePair:
 
 
 def involute_pair(*, teeth: InvoluteTeeth, eccentricity: float | None = None) -> InvolutePair:
-    """An involute satellite in its ring.
+    """Mesh of an involute planet in its ring at an eccentricity e, by default without backlash.
 
     ``inv(alpha_w0) = inv(alpha) + 2*(x_r - x_s)*tan(alpha)/dz``,
     ``e_0 = m*dz*cos(alpha)/(2*cos(alpha_w0))``,
-    ``j_n = m*cos(alpha)*(2*(x_r - x_s)*tan(alpha) + dz*(inv(alpha) - inv(alpha_w)))``.
+    ``j_n = m*cos(alpha)*(2*(x_r - x_s)*tan(alpha) + dz*(inv(alpha) - inv(alpha_w)))``. Raises
+    InvalidInput if `InvoluteTeeth.check` or the ring's cutter refuses the sizes, the spaces of the
+    ring are too narrow for any eccentricity, or the base circles leave no room for the given one.
 
     Parameters
     ----------
     teeth : InvoluteTeeth
-        The teeth.
-    eccentricity : float, optional
-        Eccentricity e, m; that without backlash where it is not given.
-
-    Returns
-    -------
-    InvolutePair
-
-    Raises
-    ------
-    InvalidInput
-        If a tip lies within its base circle, the difference of teeth is none or above
-        `MOST_DIFFERENCE`, the ring's spaces are too narrow for any eccentricity, or the base
-        circles do not leave room for the one that is given.
+    eccentricity : float, optional, m
 
     Examples
     --------
@@ -479,17 +399,7 @@ def involute_pair(*, teeth: InvoluteTeeth, eccentricity: float | None = None) ->
 
 
 def angle_of(value: float) -> float:
-    """Pressure angle at which the involute function has a value.
-
-    Parameters
-    ----------
-    value : float
-        Of the function, rad, > 0.
-
-    Returns
-    -------
-    float
-        rad.
+    """Pressure angle in rad at which the involute function has a value > 0, by Newton's method.
 
     Examples
     --------
@@ -497,14 +407,14 @@ def angle_of(value: float) -> float:
     20.0
     """
     angle, closer = math.inf, min((3 * value) ** (1 / 3), math.atan(value + math.pi / 2))
-    while closer < angle:  # Newton's steps from above, as it is convex
+    while closer < angle:  # Newton's steps from above, as the function is convex
         angle = closer
         closer = angle - (math.tan(angle) - angle - value) / math.tan(angle) ** 2
     return angle
 
 
 def _ring_flank(teeth: InvoluteTeeth) -> RingFlank:
-    """The ring's flank by its cutter, where there is one."""
+    """Ring's flank; without a cutter the root follows the rack's dedendum and all is involute."""
     if teeth.cutter is None:
         height = teeth.ring_profile_shift + teeth.rack.dedendum
         return RingFlank(teeth.module * (teeth.ring_teeth / 2 + height), math.inf)
@@ -512,7 +422,7 @@ def _ring_flank(teeth: InvoluteTeeth) -> RingFlank:
 
 
 def _generated(teeth: InvoluteTeeth, cutter: Cutter) -> RingFlank:
-    """The ring's flank as a cutter makes it."""
+    """Ring's flank as a shaper cutter makes it."""
     alpha, more = teeth.rack.pressure_angle, teeth.ring_teeth - cutter.teeth
     if not more > 0:
         most = teeth.ring_teeth

@@ -1,7 +1,7 @@
-"""What the torque of a satellite does to its involute teeth: forces, pressure, root, friction.
+"""Load of an involute planet's teeth: force, Hertz pressure, root stress, friction.
 
-One pair is taken to carry all of it. With a contact ratio below 2 that is so on a part of the path,
-and at its start, where the pressure is largest, on the safe side.
+One pair is assumed to carry the whole torque of a planet. With a contact ratio below 2 that is true
+on a part of the path; at the start of the path, where pressure is largest, it is on the safe side.
 """
 
 import math
@@ -17,25 +17,26 @@ from core.ring.involute import InvolutePair
 from core.ring.loss import RingLoss
 
 ROOT_ANGLE = math.pi / 3
-"""Angle of the tangent at the root's critical section to the tooth's middle line, less a right one:
-30 degrees, as ISO 6336-3 has it."""
+"""Constant T of ISO 6336-3 for external teeth, rad: 90 degrees less the 30 degrees between the
+tangent at the critical section and the middle line of the tooth."""
 
 NOTCHES = (1.0, 8.0)
-"""Root chord over twice the fillet's radius, from and below, for which the stress correction is."""
+"""Range of root chord over twice the fillet radius in which the stress correction holds; the upper
+end is excluded."""
 
 
 @dataclass(frozen=True)
 class PairForce:
-    """The force between one pair of flanks that carries the torque of a satellite."""
+    """Force between one pair of flanks that carries the whole torque of a planet."""
 
     normal: float  # F_bn along the line of action, N
-    tangential: float  # across the crank, N
-    radial: float  # along the crank, to the reducer's axis, N
+    tangential: float  # component across the crank, N
+    radial: float  # component along the crank, to the reducer's axis, N
 
 
 @dataclass(frozen=True)
 class RootStress:
-    """Bending stress in the root of the satellite's teeth, the force at the tip."""
+    """Bending stress in the root of the planet's teeth with the force at the tip (ISO 6336-3)."""
 
     chord: float  # s_Fn, m
     fillet_radius: float  # rho_F, m
@@ -48,29 +49,24 @@ class RootStress:
 
 @dataclass(frozen=True)
 class InvoluteLoad:
-    """What the torque of a satellite does to its teeth."""
+    """Force and Hertz pressures of a planet's teeth under its torque."""
 
-    force: PairForce  # without the load factor
-    # Hertz's pressure of one pair. Where the satellite has no involute there is none, None.
-    pressure_start: float | None  # at the start of the path, Pa: the largest
-    pressure_end: float | None  # at its end, Pa
-    pressure_at_pitch_point: float | None  # ISO 6336-2's, Pa: wherever the path is, to compare
+    force: PairForce  # force without the load factor
+    # Hertz pressure of one pair, Pa; None if the planet has no involute at that place.
+    pressure_start: float | None  # at the start of the path, the largest one
+    pressure_end: float | None  # at the end of the path
+    # Pressure at the pitch point, as ISO 6336-2 takes it, even if that is off the path.
+    pressure_at_pitch_point: float | None
     accuracy: Accuracy
 
 
 def pair_force(*, pair: InvolutePair, torque: float) -> PairForce:
-    """The force of one pair that carries a satellite's torque, ``F_bn = T_j/r_bs``.
+    """Force of one pair that carries the torque T_j of a planet, ``F_bn = T_j/r_bs``.
 
     Parameters
     ----------
     pair : InvolutePair
-        The teeth.
-    torque : float
-        Torque T_j of the satellite about its own centre, N*m.
-
-    Returns
-    -------
-    PairForce
+    torque : float, N*m
     """
     normal = torque / pair.line.satellite_base
     return PairForce(normal, normal * math.cos(pair.line.angle), normal * math.sin(pair.line.angle))
@@ -86,7 +82,7 @@ def pressure_along(
     roll: Number,
     load_factor: float = 1.0,
 ) -> Number:
-    """Hertz's pressure of one pair at places of the line of action.
+    """Hertz pressure of one pair along the line of action, Pa; NaN if the planet has no involute.
 
     ``p = sqrt(K*F_bn*E*/(pi*b*rho))``, ``rho = rho_1*(rho_1 + e*sin(alpha_w))/(e*sin(alpha_w))``,
     ``rho_1 = r_bs*tau``.
@@ -94,27 +90,11 @@ def pressure_along(
     Parameters
     ----------
     pair : InvolutePair
-        The teeth.
-    torque : float
-        Torque T_j of the satellite about its own centre, N*m, > 0.
-    contact_length : float
-        Width b, m, > 0.
+    torque : float, T_j of the planet about its own centre, N*m, > 0
+    contact_length : float, width b, m, > 0
     satellite_material, ring_material : ElasticMaterial
-        Their materials.
-    roll : float or array
-        Roll angles tau of the satellite there.
-    load_factor : float
-        Factor K on the force, of the application and along the width, > 0.
-
-    Returns
-    -------
-    float or array
-        Pa; NaN where the satellite has no involute.
-
-    Raises
-    ------
-    InvalidInput
-        If torque, width or factor are not positive.
+    roll : float or array, roll angles tau of the planet, rad
+    load_factor : float, K, application factor times face load factor, > 0
     """
     check_positive(torque=torque, contact_length=contact_length, load_factor=load_factor)
     modulus = effective_modulus(first=satellite_material, second=ring_material)
@@ -132,34 +112,18 @@ def involute_load(
     ring_material: ElasticMaterial,
     load_factor: float = 1.0,
 ) -> InvoluteLoad:
-    """Forces of one pair, and its pressure at the ends of the path, as `pressure_along` has it.
+    """Force of one pair, and its Hertz pressure at the ends of the path and at the pitch point.
+
+    With few teeth of difference the pitch point may lie off the path; ISO 6336-2 looks there and
+    finds less pressure than there is at the start of the path.
 
     Parameters
     ----------
     pair : InvolutePair
-        The teeth.
-    torque : float
-        Torque T_j of the satellite about its own centre, N*m, > 0.
-    contact_length : float
-        Width b, m, > 0.
+    torque : float, T_j of the planet about its own centre, N*m, > 0
+    contact_length : float, width b, m, > 0
     satellite_material, ring_material : ElasticMaterial
-        Their materials.
-    load_factor : float
-        Factor K on the force, of the application and along the width, > 0.
-
-    Returns
-    -------
-    InvoluteLoad
-
-    Raises
-    ------
-    InvalidInput
-        If torque, width or factor are not positive.
-
-    Notes
-    -----
-    The pitch point need not lie on the path of so few teeth of difference; ISO 6336-2 looks there,
-    and finds less than there is at the start of the path.
+    load_factor : float, K, application factor times face load factor, > 0
     """
     rolls = (pair.start_roll, pair.end_roll, pair.line.pitch_roll)
     found = pressure_along(
@@ -186,37 +150,19 @@ def involute_load(
 def root_stress(
     *, pair: InvolutePair, torque: float, contact_length: float, load_factor: float = 1.0
 ) -> RootStress:
-    """Bending stress in the root of the satellite's teeth, the whole force at the tip of one.
+    """Bending stress in the planet's roots with the whole force at the tip of one tooth.
 
-    ``sigma_F = F_t/(b*m)*Y_F*Y_S*K``, ``F_t = T_j/(m*z_s/2)``.
+    ``sigma_F = F_t/(b*m)*Y_F*Y_S*K``, ``F_t = T_j/(m*z_s/2)``. Method B of ISO 6336-3 for a fillet
+    that a rack generates, as it is commonly printed; the standard itself was not at hand. At large
+    operating pressure angles a part of the force compresses the root, which is on the safe side.
+    The root of the ring is not calculated. Raises NotKnown if the root is not that of a usual
+    tooth, or its notch is out of `NOTCHES`.
 
     Parameters
     ----------
     pair : InvolutePair
-        The teeth.
-    torque : float
-        Torque T_j of the satellite about its own centre, N*m, > 0.
-    contact_length : float
-        Width b, m, > 0.
-    load_factor : float
-        Factor K on the force.
-
-    Returns
-    -------
-    RootStress
-
-    Raises
-    ------
-    InvalidInput
-        If torque, width or factor are not positive.
-    NotKnown
-        If the root is not one of a usual tooth, or its notch beyond `NOTCHES`.
-
-    Notes
-    -----
-    Method B of ISO 6336-3 for a fillet that a rack generates, as it is commonly printed; the
-    standard itself was not at hand. Of large operating pressure angles a part of the force presses
-    on the root, which is on the safe side. The ring's root is not looked at.
+    torque : float, T_j of the planet about its own centre, N*m, > 0
+    contact_length, load_factor : float, width b, m, and factor K, > 0
     """
     check_positive(torque=torque, contact_length=contact_length, load_factor=load_factor)
     teeth, line = pair.teeth, pair.line
@@ -225,7 +171,7 @@ def root_stress(
     shift, rounded = teeth.satellite_profile_shift, rack.tip_radius
     half_space = math.pi / 4 - rack.dedendum * math.tan(alpha)
     half_space -= (1 - math.sin(alpha)) * rounded / math.cos(alpha)
-    below = rounded - rack.dedendum + shift  # of the reference circle: centre of the tip's arc
+    below = rounded - rack.dedendum + shift  # G of ISO 6336-3, in modules
     offset = 2 / z * (math.pi / 2 - half_space) - ROOT_ANGLE
     theta = _tangent(2 * below / z, offset)
     fillet = below / math.cos(theta) - rounded
@@ -233,7 +179,7 @@ def root_stress(
     bent = math.cos(theta) * (z * math.cos(theta) ** 2 - 2 * below)
     radius = rounded + 2 * below**2 / bent
     tip = math.atan(pair.end_roll)
-    leaning = teeth.satellite_half_angle - (pair.end_roll - tip)  # half of the tip's angle
+    leaning = teeth.satellite_half_angle - (pair.end_roll - tip)  # half angle of the tip
     load_angle = tip - leaning
     reach = (math.cos(leaning) - math.sin(leaning) * math.tan(load_angle)) * teeth.satellite_tip / m
     arm = reach - (z * math.cos(ROOT_ANGLE - theta) + fillet) / 2
@@ -256,40 +202,25 @@ def root_stress(
 
 
 def loss_ratio(*, pair: InvolutePair, friction: float, roll: float) -> float:
-    """Power lost over power put out while one pair carries at a place of the path.
+    """Power lost over power put out while one pair carries at a place, ``mu*|tau - tan(alpha_w)|``.
 
-    ``mu*|tau - tan(alpha_w)|``: the flanks slide by the distance to the pitch point times the speed
-    at which satellite and ring turn against each other.
+    The sliding speed is the distance to the pitch point times the relative speed of both bodies.
 
     Parameters
     ----------
     pair : InvolutePair
-        The teeth.
-    friction : float
-        Coefficient mu of friction.
-    roll : float
-        Roll angle tau of the satellite there.
-
-    Returns
-    -------
-    float
+    friction, roll : float, coefficient mu and roll angle tau of the planet, rad
     """
     return friction * abs(roll - pair.line.pitch_roll)
 
 
 def mean_loss_ratio(*, pair: InvolutePair, friction: float) -> float:
-    """The mean of `loss_ratio` over the path.
+    """Mean of `loss_ratio` over the path of contact.
 
     Parameters
     ----------
     pair : InvolutePair
-        The teeth.
     friction : float
-        Coefficient mu of friction.
-
-    Returns
-    -------
-    float
     """
     start, end = (each - pair.line.pitch_roll for each in (pair.start_roll, pair.end_roll))
     if not end > start:
@@ -304,22 +235,13 @@ def involute_loss(
     output_torque: float,
     input_speed: float | None = None,
 ) -> RingLoss:
-    """Friction of the flanks of all satellites, mean over the path, one pair of each carrying.
+    """Friction of the flanks of all planets, mean over the path with one pair of each carrying.
 
     Parameters
     ----------
     pair : InvolutePair
-        The teeth.
-    friction : float
-        Coefficient mu of friction.
-    output_torque : float
-        Torque of all satellites, N*m.
-    input_speed : float, optional
-        Of the crank against the ring, rad/s.
-
-    Returns
-    -------
-    RingLoss
+    friction, output_torque : float, coefficient mu and torque of all planets, N*m
+    input_speed : float, optional, of the eccentric against the ring, rad/s
     """
     each = mean_loss_ratio(pair=pair, friction=1.0)
     lost, teeth = friction * each, pair.teeth
@@ -333,7 +255,7 @@ def involute_loss(
 
 
 def _tangent(factor: float, offset: float) -> float:
-    """Angle theta of ``theta = factor*tan(theta) - offset``, for factors below 0: of one sign."""
+    """Root theta, rad, of ``theta = factor*tan(theta) - offset``, by Newton; needs a factor < 0."""
     theta = ROOT_ANGLE / 2
     for _ in range(50):
         excess = theta - factor * math.tan(theta) + offset

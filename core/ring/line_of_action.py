@@ -1,8 +1,9 @@
-"""Where involute teeth of satellite and ring touch: on the line that touches both base circles.
+"""Line of action of an involute planet in its ring: the tangent to both base circles.
 
-All of it hangs on the numbers of teeth, the base circles and the eccentricity alone; tips come as
-radii. A place on the line has a roll angle tau of the satellite: the tangent of the pressure angle
-there, the distance from the satellite's base point over its base radius. Arrays may have any axes.
+The line depends on numbers of teeth, base circles and eccentricity only; tips are given as radii. A
+place on the line is given by the roll angle tau of the planet: the tangent of the pressure angle
+there, which is the distance from the planet's base point over the base radius. Arrays have any
+axes.
 """
 
 import math
@@ -17,17 +18,7 @@ from core.crank.ring_mesh import involute_mesh
 
 
 def involute(angle: Number) -> Number:
-    """The involute function ``tan(angle) - angle``.
-
-    Parameters
-    ----------
-    angle : float or array
-        Pressure angle, rad.
-
-    Returns
-    -------
-    float or array
-        rad.
+    """Involute function ``tan(angle) - angle`` of a pressure angle, rad.
 
     Examples
     --------
@@ -38,25 +29,25 @@ def involute(angle: Number) -> Number:
 
 
 class TipCrossing(NamedTuple):
-    """How teeth pass where the tip circles cross, beside the path of contact."""
+    """Passage of the teeth where the tip circles cross, beside the path of contact."""
 
-    # G, rad times teeth: the gap there over the ring's angular pitch, times 2*pi; NaN where the
-    # circles do not cross.
+    # G, rad times teeth: gap between the tips over the ring's angular pitch, times 2*pi; NaN if the
+    # tip circles do not cross.
     interference: Number
-    overlap: Number  # whether the satellite's circle has the ring's in it: no tooth can pass
+    overlap: Number  # true if the planet's tip circle encloses the ring's, so no tooth can pass
 
 
 @dataclass(frozen=True)
 class LineOfAction:
-    """The line of action of a satellite in a ring, and what tips make of it."""
+    """Line of action of a planet in a ring, and the ends that tips give it."""
 
     satellite_teeth: int  # z_s
-    ring_teeth: int  # z_r, more
+    ring_teeth: int  # z_r > z_s
     module: float  # m, m
     pressure_angle: float  # alpha of the rack, rad
     eccentricity: float  # e, m
     angle: float  # alpha_w, operating pressure angle, rad
-    error: float  # relative, of that by rounding
+    error: float  # relative rounding error of alpha_w
 
     @classmethod
     def of(
@@ -68,28 +59,7 @@ class LineOfAction:
         pressure_angle: float,
         eccentricity: float,
     ) -> "LineOfAction":
-        """The line of action at an eccentricity.
-
-        Parameters
-        ----------
-        satellite_teeth, ring_teeth : int
-            Teeth z_s and z_r > z_s.
-        module : float
-            Module m, m.
-        pressure_angle : float
-            Reference pressure angle alpha, rad.
-        eccentricity : float
-            Eccentricity e, m.
-
-        Returns
-        -------
-        LineOfAction
-
-        Raises
-        ------
-        InvalidInput
-            If the base circles do not leave room for the eccentricity.
-        """
+        """Line of action at an eccentricity; InvalidInput if base circles leave no room for it."""
         mesh = involute_mesh(
             module=module,
             teeth_difference=ring_teeth - satellite_teeth,
@@ -103,17 +73,17 @@ class LineOfAction:
 
     @property
     def difference(self) -> int:
-        """Teeth of the ring less those of the satellite."""
+        """Number of teeth of the ring less that of the planet."""
         return self.ring_teeth - self.satellite_teeth
 
     @cached_property
     def satellite_base(self) -> float:
-        """r_bs, m."""
+        """Base radius r_bs of the planet, m."""
         return self.module * self.satellite_teeth * math.cos(self.pressure_angle) / 2
 
     @cached_property
     def ring_base(self) -> float:
-        """r_br, m."""
+        """Base radius r_br of the ring, m."""
         return self.module * self.ring_teeth * math.cos(self.pressure_angle) / 2
 
     @cached_property
@@ -128,108 +98,44 @@ class LineOfAction:
 
     @property
     def wider(self) -> float:
-        """By how much the ring's profile shift is larger than the satellite's without backlash."""
+        """Difference ``x_r - x_s`` of the profile shifts without backlash."""
         turned = float(involute(self.angle) - involute(self.pressure_angle))
         return self.difference * turned / (2 * math.tan(self.pressure_angle))
 
     def end_roll(self, satellite_tip: Number) -> Number:
-        """Roll angle at the end of the path, where the satellite's tip leaves the line.
-
-        Parameters
-        ----------
-        satellite_tip : float or array
-            Tip radius r_as, m; NaN within the base circle.
-
-        Returns
-        -------
-        float or array
-        """
+        """Roll angle at the path's end from the planet's tip radius, m; NaN if below the base."""
         return roll(satellite_tip, base=self.satellite_base)
 
     def start_roll(self, ring_tip: Number) -> Number:
-        """Roll angle at the start of the path, where the ring's tip comes to the line.
-
-        ``tan(alpha_1) = (z_r*tan(alpha_ar) - dz*tan(alpha_w))/z_s``.
-
-        Parameters
-        ----------
-        ring_tip : float or array
-            Tip radius r_ar, m; NaN within the base circle.
-
-        Returns
-        -------
-        float or array
+        """Roll angle at the start of the path from the ring's tip radius, m; NaN within the base
+        circle. ``tan(alpha_1) = (z_r*tan(alpha_ar) - dz*tan(alpha_w))/z_s``.
         """
         at_tip = roll(ring_tip, base=self.ring_base)
         reached = self.ring_teeth * at_tip - self.difference * self.pitch_roll
         return reached / self.satellite_teeth
 
     def on_ring(self, satellite_roll: Number) -> Number:
-        """Roll angle of the ring where the satellite has another.
-
-        Parameters
-        ----------
-        satellite_roll : float or array
-            That of the satellite.
-
-        Returns
-        -------
-        float or array
-        """
+        """Roll angle of the ring at the place where the planet has a roll angle."""
         whole = self.satellite_teeth * satellite_roll + self.difference * self.pitch_roll
         return whole / self.ring_teeth
 
     def contact_ratio(self, *, start: Number, end: Number) -> Number:
-        """Length of the path over the base pitch.
-
-        Parameters
-        ----------
-        start, end : float or array
-            Roll angles of its ends.
-
-        Returns
-        -------
-        float or array
-        """
+        """Contact ratio from the roll angles at start and end of the path."""
         return self.satellite_teeth * (end - start) / (2 * math.pi)
 
     def reduced_radius(self, satellite_roll: Number) -> Number:
-        """Radius of curvature of the gap between the flanks, ``rho_1*rho_2/(rho_2 - rho_1)``.
-
-        Parameters
-        ----------
-        satellite_roll : float or array
-            Where on the line.
-
-        Returns
-        -------
-        float or array
-            m.
-        """
+        """Reduced radius of curvature at a roll angle, ``rho_1*rho_2/(rho_2 - rho_1)``, m."""
         convex = self.satellite_base * satellite_roll
         return convex * (1 + convex / self.base_distance)
 
     def crossing(self, *, satellite_tip: Number, ring_tip: Number) -> TipCrossing:
-        """Whether tips pass each other where the tip circles cross, beside the path of contact.
+        """Passage of the tips where the tip circles with the radii r_as, r_ar (m) cross.
 
-        ``G = z_s*(inv(alpha_as) + delta_s) - z_r*(inv(alpha_ar) + delta_r) + dz*inv(alpha_w)``, at
-        least 0, ``cos(delta_s) = (r_ar^2 - r_as^2 - e^2)/(2*r_as*e)``,
-        ``cos(delta_r) = (r_ar^2 - r_as^2 + e^2)/(2*r_ar*e)``, for the flank in contact: the other
-        one has the backlash besides.
-
-        Parameters
-        ----------
-        satellite_tip, ring_tip : float or array
-            Tip radii r_as, r_ar, m.
-
-        Returns
-        -------
-        TipCrossing
-
-        Notes
-        -----
-        The arccosine has no value where the tips overlap all round: that is no room, though a
-        formula that takes it for none of the interference would pass.
+        ``G = z_s*(inv(alpha_as) + delta_s) - z_r*(inv(alpha_ar) + delta_r) + dz*inv(alpha_w)`` has
+        to be at least 0; ``cos(delta_s) = (r_ar^2 - r_as^2 - e^2)/(2*r_as*e)``,
+        ``cos(delta_r) = (r_ar^2 - r_as^2 + e^2)/(2*r_ar*e)``. G is for the flank in contact; the
+        other flank has the backlash besides. An arccosine without a value is no absence of
+        interference: if one tip circle encloses the other, no tooth can pass.
         """
         e, satellite, ring = self.eccentricity, satellite_tip, ring_tip
         with np.errstate(invalid="ignore"):
@@ -244,42 +150,27 @@ class LineOfAction:
 
 
 def roll(radius: Number, *, base: float) -> Number:
-    """Roll angle of an involute at a radius, the tangent of its pressure angle there.
+    """Roll angle of an involute at a radius, tangent of the pressure angle; NaN if below the base.
 
     Parameters
     ----------
-    radius : float or array
-        The radius, m; NaN within the base circle.
-    base : float
-        Radius of the base circle, m.
-
-    Returns
-    -------
-    float or array
+    radius, base : float or array, m
     """
     with np.errstate(invalid="ignore"):
         return np.sqrt((radius - base) * (radius + base)) / base
 
 
 def radius_at(roll_angle: Number, *, base: float) -> Number:
-    """Radius at which an involute has a roll angle.
+    """Radius at which an involute has a roll angle, m.
 
     Parameters
     ----------
-    roll_angle : float or array
-        The roll angle.
-    base : float
-        Radius of the base circle, m.
-
-    Returns
-    -------
-    float or array
-        m.
+    roll_angle, base : float or array, rad and m
     """
     return base * np.hypot(1, roll_angle)
 
 
 def _tip(radius: Number, base: float) -> Number:
-    """Involute function at a radius."""
+    """Involute function of the pressure angle at a radius."""
     tangent = roll(radius, base=base)
     return tangent - np.arctan(tangent)

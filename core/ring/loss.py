@@ -1,9 +1,9 @@
-"""Friction of cycloid discs on the pins of their ring: sliding, loss, efficiency, pv.
+"""Friction of cycloid discs on their ring pins: sliding, loss, efficiency, pv.
 
-A disc turns about the pitch point, from which the centre of a pin is ``R*S``: on a pin that stands
-still it slides by ``w_out*|R*S - r|``. A sleeve that rolls on the disc slides on its pin instead,
-as much slower as its bore is smaller; rolling elements in its bore resist that by a moment, which
-their coefficient has at the bore. Friction does not change the forces here.
+A disc turns about the pitch point, from which the centre of a pin is ``R*S`` away. On a fixed pin
+the disc slides at ``w_out*|R*S - r|``. A sleeve that rolls on the disc slides on its pin instead,
+slower by bore radius over pin radius. Rolling elements in the bore resist by a moment that their
+coefficient has at the bore radius. Friction does not change the forces here.
 """
 
 import math
@@ -18,32 +18,20 @@ from core.ring.sharing import MeshTurn
 
 @dataclass(frozen=True, slots=True)
 class RingFriction:
-    """What slides on the ring's pins."""
+    """Friction of the ring pins, with or without sleeves."""
 
-    coefficient: float  # mu, >= 0; of rolling elements theirs, at the bore
-    sleeve_bore_radius: float = 0.0  # r_i of sleeves on the pins, m, < r; 0: r, which loses most
-    rolling: bool = False  # whether rolling elements carry the sleeves, which have no pv
+    coefficient: float  # mu, >= 0; with rolling elements their own, at the bore
+    sleeve_bore_radius: float = 0.0  # r_i of sleeves on the pins, m, < r; 0 stands for no sleeve
+    rolling: bool = False  # true if rolling elements carry the sleeves; there is no pv then
 
 
 def sliding_part(*, disc: CycloidDisc, friction: RingFriction) -> float:
-    """Part of the sliding on pins that stand still which is left: of sleeves, on rolling elements
-    too, their bore's.
+    """Sliding speed over that on fixed pins: 1 without sleeves, otherwise r_i/r.
 
     Parameters
     ----------
     disc : CycloidDisc
-        The disc.
     friction : RingFriction
-        What slides.
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    InvalidInput
-        If the coefficient is negative, or a bore is not smaller than its pin.
     """
     check_single(coefficient=friction.coefficient)
     if not 0 <= friction.coefficient < math.inf:
@@ -60,44 +48,43 @@ def sliding_part(*, disc: CycloidDisc, friction: RingFriction) -> float:
 
 @dataclass(frozen=True, slots=True)
 class RingLoss:
-    """Friction of a ring's mesh over the turn."""
+    """Friction loss of a ring's mesh over the turn."""
 
     loss_per_friction: float  # loss over output for mu = 1
     loss_ratio: float  # loss over output, mean over the turn
-    efficiency: float  # of the mesh alone
-    lost_torque: float  # loss over the speed of the crank, N*m
-    input_speed: float | None  # of the crank, rad/s, where it is known
-    ideal_loss_ratio: float | None = None  # on many perfect pins, none of which reaches its pole
+    efficiency: float  # efficiency of the mesh alone
+    lost_torque: float  # lost power over the speed of the crank, N*m
+    input_speed: float | None  # speed of the crank, rad/s; None if unknown
+    # Loss over output for perfect parts on many pins; None if a pin reaches its pitch point.
+    ideal_loss_ratio: float | None = None
 
     @property
     def speed(self) -> float:
-        """That speed, which has to be known, whatever its sign."""
+        """Absolute speed of the crank, rad/s; NotKnown is raised if it is not given."""
         return abs(required(self.input_speed, "speed_missing"))
 
     @property
     def mean_loss(self) -> float:
-        """Power that friction takes, W."""
+        """Mean power lost by friction, W."""
         return self.lost_torque * self.speed
 
     @property
     def peak_pv(self) -> float:
-        """Largest product of pressure and sliding speed, Pa*m/s; not known of flanks, and of
-        sleeves that roll.
-        """
+        """Largest pressure times sliding speed, Pa*m/s; not known of flanks and rolling sleeves."""
         raise NotKnown("no_bush")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SlidingLoss(RingLoss):
-    """The same of discs that slide on the pins, or whose sleeves do."""
+    """Friction loss of discs that slide on the ring pins, or whose sleeves slide there."""
 
-    turn: MeshTurn  # the mesh
-    friction: RingFriction  # what slides
+    turn: MeshTurn  # mesh under its torque
+    friction: RingFriction  # friction of its ring pins
 
     @property
     def peak_pv(self) -> float:
-        """By the projected area of a sleeve's bore, or of a contact by the mean of its Hertz
-        pressure.
+        """Largest pv, Pa*m/s, by the projected bore area of a sleeve, or without one by the mean
+        Hertz pressure of the contact.
         """
         turn, mesh = self.turn, self.turn.mesh
         speed = self.speed / mesh.disc.satellite_teeth
@@ -111,40 +98,25 @@ def ring_loss(
 ) -> RingLoss:
     """Loss, efficiency and pv of a ring's mesh.
 
+    ``loss/output = mu*c*sum F*|R*S - r|/T`` with c from `sliding_part`; for perfect parts on many
+    pins ``4*mu*c*(R - r)/(pi*e*z)`` if ``r < R*(1 - K1)``. Derived.
+
     Parameters
     ----------
     turn : MeshTurn
-        The mesh under its torque.
     friction : RingFriction
-        What slides.
-    input_speed : float, optional
-        Of the crank, rad/s; its sign does not matter.
-
-    Returns
-    -------
-    RingLoss
-
-    Raises
-    ------
-    InvalidInput
-        See `sliding_part`.
-
-    Notes
-    -----
-    ``loss/output = mu*c*sum F*|R*S - r|/T``, c being `sliding_part`; of perfect parts on many pins
-    ``4*mu*c*(R - r)/(pi*e*z)`` where ``r < R*(1 - K1)``. Derived.
+    input_speed : float, optional, of the crank, rad/s, of either sign
 
     Examples
     --------
+    >>> from core.materials import ElasticMaterial
     >>> from core.output.elasticity import LinearLaw
     >>> from core.ring.sharing import CycloidMesh, mesh_over_turn
     >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
     ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005)
-    >>> from core.materials import ElasticMaterial
     >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(1e8), exact=False,
-    ...     pin_material=steel, disc_material=steel)
+    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, exact=False,
+    ...                    law=LinearLaw(1e8), pin_material=steel, disc_material=steel)
     >>> found = ring_loss(turn=mesh_over_turn(mesh=mesh, output_torque=100.0),
     ...                   friction=RingFriction(0.06))
     >>> round(found.efficiency, 4), round(found.ideal_loss_ratio, 4)

@@ -1,6 +1,4 @@
-"""Forces, lags and gaps of cycloid discs and the pins of their ring, as they are drawn: of the ring
-alone over the turn of the crank, of both meshes in series at angles.
-"""
+"""Curves of forces, angular deflections and gaps of cycloid discs and ring pins for drawings."""
 
 import math
 
@@ -15,28 +13,22 @@ from core.ring.sharing import CycloidMesh, MeshTurn, mesh_gaps, mesh_position
 
 
 class MeshCurves:
-    """A cycloid mesh under a torque at even crank angles, each looked for when it is asked for.
+    """Cycloid mesh under a torque at even crank angles, each curve found on demand.
 
-    Parameters
-    ----------
-    turn : MeshTurn
-        The mesh over the turn.
-    angles : int
-        Crank angles over a turn at least, besides the whole turn.
+    The turn has at least ``angles`` angles besides its end.
 
     Examples
     --------
+    >>> from core.materials import ElasticMaterial
     >>> from core.output.elasticity import LinearLaw
     >>> from core.ring.profile import CycloidDisc, Modification
     >>> from core.ring.sharing import mesh_over_turn
     >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
     ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005,
     ...                    modification=Modification(equidistant=2e-5))
-    >>> from core.materials import ElasticMaterial
     >>> steel = ElasticMaterial(210e9, 0.3)
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(1e8),
-    ...     pin_material=steel, disc_material=steel)
+    ...                    law=LinearLaw(1e8), pin_material=steel, disc_material=steel)
     >>> turn = mesh_over_turn(mesh=mesh, output_torque=100.0)
     >>> found = MeshCurves(turn, 20)
     >>> found.force.shape, found.gap.shape, len(found.crank_angle)
@@ -51,11 +43,11 @@ class MeshCurves:
         repeats = turn.turn.repeats
         self._own = -(-angles // repeats)
         self.crank_angle = np.linspace(0.0, 2 * math.pi, self._own * repeats + 1)
-        """rad, shape (M,), the first 0 and the last a whole turn."""
+        """Crank angles from 0 to a whole turn, rad, shape (M,)."""
 
     @derived
     def _period(self) -> tuple[FloatArray, FloatArray]:
-        """Forces and lags until all repeats with the next pin."""
+        """Forces, N, and lags, rad, over one period."""
         turn, mesh = self.turn.turn, self.mesh
         waves = [mesh.wave(float(each)) for each in self.crank_angle[: self._own]]
         rows = turn.poses(waves)
@@ -65,38 +57,36 @@ class MeshCurves:
         )
 
     def _over_turn(self, values: FloatArray) -> FloatArray:
-        """Values of all pairs over the turn: a period later a pin feels what the next one did."""
+        """Values of all pairs over the turn; one period later a pin has those of the next pin."""
         repeats = self.turn.turn.repeats
         turned = [np.roll(values, -each, axis=1) for each in range(repeats)]
         return np.concatenate([*turned, values[..., :1]], axis=2)
 
     @property
     def force(self) -> FloatArray:
-        """Of each pin of the ring on each disc, N, shape (K, z_p, M)."""
+        """Force of each ring pin on each disc, N, shape (K, z_p, M)."""
         return self._over_turn(self._period[0])
 
     period = 2 * math.pi
-    """After how much of the crank's turning, rad, all repeats, with `further`."""
+    """Crank angle after which the forces repeat, `further` pins on, rad."""
 
     further = 0
-    """By how many pins further that is."""
+    """Number of pins by which forces are shifted after a period."""
 
     @property
     def rotation(self) -> FloatArray:
-        """Lag of the output, rad, negative in reverse, shape (M,)."""
+        """Angular deflection of the output, rad, negative in reverse, shape (M,)."""
         _, lags = self._period
         return np.append(np.tile(lags, self.turn.turn.repeats), lags[0])
 
     @derived
     def gap(self) -> FloatArray:
-        """What is left between disc and pin under the torque, m, shape (K, z_p, M): 0 where they
-        press.
-        """
+        """Gap between disc and pin under the torque, m, shape (K, z_p, M); 0 if they press."""
         mesh, torque, (_, lags) = self.mesh, self.turn.turn.torque, self._period
         rows = []
         for angle, lag in zip(self.crank_angle[: self._own].tolist(), lags.tolist(), strict=True):
             own: tuple[float, ...] = (lag,) * len(mesh.crank_angles)
-            if mesh.support.turning:  # each disc has a lag of its own
+            if mesh.support.turning:  # discs have different lags
                 found = mesh_position(mesh=mesh, crank_angle=angle, output_torque=torque)
                 own = found.rotation
             rows.append(mesh_gaps(mesh=mesh, crank_angle=angle, rotation=own))
@@ -104,41 +94,21 @@ class MeshCurves:
 
 
 class SeriesCurves:
-    """The teeth of both meshes in series at crank angles, each looked for when it is asked for.
-
-    Parameters
-    ----------
-    teeth : TeethInSeries
-        The teeth under a torque.
-    crank_angle : array, shape (M,)
-        The angles, rad.
-    """
+    """Teeth of both meshes in series at M crank angles in rad, each curve found on demand."""
 
     def __init__(self, teeth: TeethInSeries, crank_angle: FloatArray) -> None:
         turn = teeth.series.turn
         assert isinstance(turn, SeriesTurn)
         self.turn, self.mesh = turn, teeth.mesh
         self.period: float = turn.period
-        """After how much of the crank's turning, rad, all repeats, with `further`."""
+        """Crank angle after which the forces repeat, `further` pins on, rad."""
         self.further = turn.pitches % self.mesh.disc.pins
-        """By how many pins further: a period later a pin feels what that one does."""
+        """Number of pins by which forces are shifted after a period."""
         self.crank_angle = crank_angle
 
     @classmethod
     def over_period(cls, teeth: TeethInSeries, angles: int) -> "SeriesCurves":
-        """At even angles from 0 until all repeats.
-
-        Parameters
-        ----------
-        teeth : TeethInSeries
-            The teeth under a torque.
-        angles : int
-            How many these are, at least, and over a turn.
-
-        Returns
-        -------
-        SeriesCurves
-        """
+        """Curves at even angles over one period, at least ``angles`` of them in it and per turn."""
         period: float = teeth.series.turn.period
         steps = math.ceil(angles * max(1.0, period / (2 * math.pi)))
         return cls(teeth, np.linspace(0.0, period, steps + 1))
@@ -153,28 +123,26 @@ class SeriesCurves:
 
     @property
     def force(self) -> FloatArray:
-        """Of each pin of the ring on each disc, N, shape (K, z_p, M)."""
+        """Force of each ring pin on each disc, N, shape (K, z_p, M)."""
         pins, many = self.mesh.disc.pins, len(self.crank_angle)
         found: FloatArray = self._rows["teeth"].T.reshape(-1, pins, many)
         return found
 
     @property
     def rotation(self) -> FloatArray:
-        """Lag of the output, rad, negative in reverse, shape (M,)."""
+        """Angular deflection of the output, rad, negative in reverse, shape (M,)."""
         found: FloatArray = self._way * self._rows["lag"]
         return found
 
     @property
     def own_rotation(self) -> FloatArray:
-        """Lag of the holes of each disc, rad, negative in reverse, shape (K, M)."""
+        """Angular deflection of the holes of each disc, rad, negative in reverse, shape (K, M)."""
         found: FloatArray = self._way * self._rows["own"].T
         return found
 
     @derived
     def gap(self) -> FloatArray:
-        """What is left between disc and pin under the torque, m, shape (K, z_p, M): 0 where they
-        press.
-        """
+        """Gap between disc and pin under the torque, m, shape (K, z_p, M); 0 if they press."""
         rows = [
             mesh_gaps(mesh=self.mesh, crank_angle=angle, rotation=tuple(lags))
             for angle, lags in zip(

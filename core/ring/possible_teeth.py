@@ -1,9 +1,9 @@
-"""Whether any involute teeth mesh, by module, teeth and eccentricity alone.
+"""Search for involute teeth that mesh, given module, numbers of teeth and eccentricity only.
 
-Shifts and addenda of a grid are looked at, the backlash being none. Of a satellite's shift and
-addendum the contact ratio falls, and the room of the tips grows, as the ring's tip moves outwards;
-so a contact ratio is within reach where the tips pass each other with the ring's tip where it is
-reached, which is one formula.
+A grid of shifts and addenda without backlash is searched. For one shift and addendum of the planet,
+the contact ratio falls and the gap between the tips grows as the ring's tip moves outwards. A
+contact ratio is therefore within reach if the tips pass each other with the ring's tip at the place
+where that ratio is reached, which one formula decides.
 """
 
 import math
@@ -17,32 +17,32 @@ from core.ring.involute import TIPS_APART, InvoluteTeeth, Rack
 from core.ring.line_of_action import LineOfAction, involute, radius_at
 
 USUAL_SHIFTS, USUAL_ADDENDA = (-0.5, 1.0), (0.25, 1.25)
-"""Profile shifts of the satellite and addenda of both, in modules, of usual teeth; their tips are
-`TIPS_APART`."""
+"""Ranges of the planet's profile shift and of both addenda for usual teeth, in modules; the tips of
+usual teeth are `TIPS_APART`."""
 
 SHIFTS, ADDENDA = (-1.0, 2.0), (0.1, 1.5)
-"""Those of any teeth, whose tips just pass each other."""
+"""Ranges of the planet's profile shift and of both addenda for teeth whose tips just pass."""
 
 STEP = 0.025
-"""Of shifts and of addenda."""
+"""Step of the grid of shifts and addenda, in modules."""
 
 MISSED = 0.05
-"""How much of the contact ratio the best teeth may have between those that are looked at."""
+"""Largest gain of contact ratio that teeth between the points of the grid may have."""
 
 SPARSE = 16
-"""Each of so many is looked at first."""
+"""Step of the sparse selection of teeth that is searched first."""
 
 ROUGHLY, HALVINGS = 10, 20
-"""Of the stretch in which the largest contact ratio is, of these and of those that are left."""
+"""Numbers of bisections of the largest contact ratio, for the sparse selection and for the rest."""
 
 
 @dataclass(frozen=True)
 class PossibleTeeth:
-    """Which involute teeth mesh."""
+    """Result of the search for involute teeth that mesh."""
 
-    contact_ratio: float  # largest of usual teeth, 0 where none touch
-    teeth: InvoluteTeeth | None  # that have it, of module 1
-    any_mesh: bool  # whether any have one of 1, or of what may be missed less
+    contact_ratio: float  # largest contact ratio of usual teeth; 0 if no usual teeth mesh
+    teeth: InvoluteTeeth | None  # usual teeth with this contact ratio, of module 1
+    any_mesh: bool  # true if any teeth reach a contact ratio of 1 less `MISSED`
 
 
 def possible_teeth(
@@ -53,34 +53,17 @@ def possible_teeth(
     eccentricity: float,
     rack: Rack,
 ) -> PossibleTeeth:
-    """The largest contact ratio of usual teeth, and whether any others mesh.
+    """Largest contact ratio of usual teeth, and whether any other teeth mesh.
 
-    Of teeth whose tips pass each other, which touch on involutes, and of which the satellite's are
-    neither undercut nor pointed.
+    Teeth count if their tips pass each other, they touch on involutes, and the planet's are neither
+    undercut nor pointed. The contact ratio may be too small by `MISSED`, for teeth between the
+    points of the grid. Raises InvalidInput if the base circles leave no room for the eccentricity.
 
     Parameters
     ----------
     satellite_teeth, ring_teeth : int
-        Teeth z_s and z_r > z_s.
-    module : float
-        Module m, m.
-    eccentricity : float
-        Eccentricity e, m.
-    rack : Rack
-        The rack that makes the satellite.
-
-    Returns
-    -------
-    PossibleTeeth
-
-    Raises
-    ------
-    InvalidInput
-        If the base circles do not leave room for the eccentricity.
-
-    Notes
-    -----
-    The contact ratio may be `MISSED` too small, by what lies between the teeth that are looked at.
+    module, eccentricity : float, m
+    rack : Rack, of the hob that cuts the planet
 
     Examples
     --------
@@ -89,11 +72,10 @@ def possible_teeth(
     >>> from core.ring.involute import usual_rack
     >>> rack = usual_rack(pressure_angle=math.radians(20))
     >>> teeth = {"satellite_teeth": 20, "ring_teeth": 21, "rack": rack}
-    >>> found = possible_teeth(**teeth, module=3.5e-3, eccentricity=2e-3)
-    >>> round(found.contact_ratio, 1), found.any_mesh
-    (0.5, False)
-    >>> round(possible_teeth(**teeth, module=3.5e-3, eccentricity=2.8e-3).contact_ratio, 1)
-    1.5
+    >>> ratios = [possible_teeth(**teeth, module=3.5e-3, eccentricity=each).contact_ratio
+    ...           for each in (2e-3, 2.8e-3)]
+    >>> [round(each, 1) for each in ratios]
+    [0.5, 1.5]
     """
     line = LineOfAction.of(
         satellite_teeth=satellite_teeth,
@@ -107,27 +89,25 @@ def possible_teeth(
 
 @dataclass(frozen=True)
 class _Looked:
-    """Teeth that are looked at, of module 1: those of the satellite, and where the ring's may end;
-    each an array.
-    """
+    """Teeth of module 1 in the search: planets, and the range of the ring's tip, as arrays."""
 
     shift: FloatArray  # x_s
-    tip: FloatArray  # radius of the satellite
-    end: FloatArray  # roll angle there
-    first: FloatArray  # roll angle at which the path may start
-    outmost: FloatArray  # tip radius of the ring
+    tip: FloatArray  # tip radius of the planet
+    end: FloatArray  # roll angle at the planet's tip
+    first: FloatArray  # least roll angle at which the path may start
+    outmost: FloatArray  # largest tip radius of the ring
 
     def chosen(self, which: BoolArray | slice) -> "_Looked":
-        """Some of them."""
+        """Selection of the teeth."""
         return _Looked(*(getattr(self, name)[which] for name in self.__dataclass_fields__))
 
     def ring_tip(self, line: LineOfAction, ratio: float) -> FloatArray:
-        """Tip radius of the ring with which they have at least a contact ratio."""
+        """Largest tip radius of the ring with which the teeth have at least a contact ratio."""
         start = np.maximum(self.end - 2 * math.pi * ratio / line.satellite_teeth, self.first)
         return np.minimum(radius_at(line.on_ring(start), base=line.ring_base), self.outmost)
 
     def reach(self, line: LineOfAction, ratio: float, room: float) -> BoolArray:
-        """Which of them have a contact ratio, their tips being apart."""
+        """True for teeth that have a contact ratio with G of their tips >= room."""
         ring = self.ring_tip(line, ratio)
         tips = line.crossing(satellite_tip=self.tip, ring_tip=ring).interference
         there = self.end - self.first >= 2 * math.pi * ratio / line.satellite_teeth
@@ -146,7 +126,7 @@ def _possible(line: LineOfAction, rack: Rack) -> PossibleTeeth:
 
 
 def _teeth(line: LineOfAction, rack: Rack, best: _Looked, ratio: float) -> InvoluteTeeth:
-    """The first of teeth that have a contact ratio."""
+    """First of the best teeth, with the ring's tip that gives a contact ratio."""
     shift, ring_shift = float(best.shift[0]), float(best.shift[0]) + line.wider
     return InvoluteTeeth(
         satellite_teeth=line.satellite_teeth,
@@ -163,12 +143,12 @@ def _teeth(line: LineOfAction, rack: Rack, best: _Looked, ratio: float) -> Invol
 def _looked(
     line: LineOfAction, rack: Rack, shifts: tuple[float, float], addenda: tuple[float, float]
 ) -> _Looked:
-    """Teeth of which the satellite's are neither undercut nor pointed."""
+    """Teeth of the grid whose planets are neither undercut nor pointed."""
     shift, height = np.meshgrid(*(_grid(ends) for ends in (shifts, addenda)), indexing="ij")
     shift, height = shift.ravel(), height.ravel()
     tan, own = math.tan(line.pressure_angle), float(involute(line.pressure_angle))
     tip = line.satellite_teeth / 2 + shift + height
-    end = line.end_roll(tip)  # no number within the base circle
+    end = line.end_roll(tip)  # NaN within the base circle
     half = (math.pi / 2 + 2 * shift * tan) / line.satellite_teeth + own
     form = rack.form_roll(teeth=line.satellite_teeth, shift=shift)
     ring_shift = shift + line.wider
@@ -186,7 +166,7 @@ def _grid(ends: tuple[float, float]) -> FloatArray:
 
 
 def _best(line: LineOfAction, looked: _Looked, room: float) -> tuple[float, _Looked]:
-    """Largest contact ratio of teeth whose tips are apart, and those that have it."""
+    """Largest contact ratio of teeth whose tips are apart, and the teeth that have it."""
     most = line.contact_ratio(start=looked.first, end=looked.end)
     high = float(np.max(most, initial=0.0))
     few = looked.chosen(slice(None, None, SPARSE))
@@ -198,7 +178,7 @@ def _best(line: LineOfAction, looked: _Looked, room: float) -> tuple[float, _Loo
 def _halved(
     line: LineOfAction, looked: _Looked, room: float, ends: tuple[float, float], times: int
 ) -> tuple[float, _Looked]:
-    """The same of teeth of which it lies between two."""
+    """Largest contact ratio between two ends by bisection, and the teeth that have it."""
     low, high = ends
     for _ in range(times if looked.shift.size else 0):
         middle = (low + high) / 2

@@ -1,13 +1,13 @@
-"""The outline of a cycloid disc that runs on ring pins, as it is cut.
+"""Outline of a cycloid disc that runs on ring pins, as it is cut.
 
-What is left by a tool of the radius ``r_m = r + equidistant`` whose centre runs on the path that a
-pin of the circle ``R_m = R + pin_circle`` has in the disc's frame. In that frame, with the crank's
-direction up at the crank angle 0, z_p pins and z = z_p - 1 lobes:
+A tool of radius ``r_m = r + equidistant`` cuts the disc. The centre of the tool runs on the path
+that a pin of a circle ``R_m = R + pin_circle`` has in the frame of the disc. In that frame, with
+the crank up at the crank angle 0, z_p pins and z = z_p - 1 lobes:
 
     W(t) = i*(R_m*exp(-i*t) - e*exp(-i*z_p*t)),  K = e*z_p/R_m,  S = |1 - K*exp(-i*z*t)|
     n(t) = i*exp(-i*t)*(1 - K*exp(-i*z*t))/S,    C(t) = W(t) - r_m*n(t)
 
-A valley lies at t = 0, and the disc is passed clockwise.
+A valley lies at t = 0, and t passes the disc clockwise.
 """
 
 import math
@@ -20,33 +20,33 @@ from core.errors import Accuracy, InvalidInput
 from core.precision import AS_TYPED, ROUNDING
 
 MOST_POINTS = 200_000
-"""Most points of an outline."""
+"""Largest number of points of an outline."""
 
 LEAST_POINTS = 4
-"""Least points of a lobe."""
+"""Least number of points of a lobe."""
 
 LOOKED = 2000
-"""Places of a lobe at which its sharpest bend, and its distance from chords, is looked for."""
+"""Number of places on a lobe at which its sharpest bend and its distance from chords are sought."""
 
 BETWEEN = 1.001
-"""What the sharpest bend may be above that of these places."""
+"""Allowance for a bend between the `LOOKED` places that is sharper than at them."""
 
 ALONG = 4
-"""Least parts of a chord between which the distance of the outline from it is measured."""
+"""Least number of parts into which a chord is divided to measure the outline's distance from it."""
 
 
 @dataclass(frozen=True, slots=True)
 class Modification:
-    """By what the tool is set off from the ring's pins: what gives the mesh its play."""
+    """Offsets of the tool from the ring pins, which give the mesh its backlash."""
 
-    equidistant: float = 0.0  # of its radius, m; positive makes the disc smaller
-    pin_circle: float = 0.0  # of the radius of its circle, m; negative makes the disc smaller
-    rotation: float = 0.0  # by which the flanks are turned against each other, rad, >= 0
+    equidistant: float = 0.0  # change of the tool radius, m; positive makes the disc smaller
+    pin_circle: float = 0.0  # change of the tool's circle radius, m; negative: disc is smaller
+    rotation: float = 0.0  # angle by which flanks are turned against each other, rad, >= 0
 
 
 @dataclass(frozen=True)
 class CycloidDisc:
-    """A cycloid disc with one lobe less than the ring has pins."""
+    """Cycloid disc with one lobe less than the ring has pins."""
 
     satellite_teeth: int  # z, >= 2
     eccentricity: float  # e, m, > 0
@@ -85,27 +85,27 @@ class CycloidDisc:
 
     @property
     def pins(self) -> int:
-        """Number z_p of the ring's pins."""
+        """Number z_p of ring pins."""
         return self.satellite_teeth + 1
 
     @property
     def tool_circle_radius(self) -> float:
-        """R_m, m."""
+        """Circle radius R_m of the tool's path, m."""
         return self.ring_pin_circle_radius + self.modification.pin_circle
 
     @property
     def tool_radius(self) -> float:
-        """r_m, m."""
+        """Tool radius r_m, m."""
         return self.ring_pin_radius + self.modification.equidistant
 
     @property
     def shortening(self) -> float:
-        """K of the tool's path."""
+        """Shortening coefficient K of the tool's path."""
         return self.eccentricity * self.pins / self.tool_circle_radius
 
     @property
     def shortening_coefficient(self) -> float:
-        """K1 of the ring's pins."""
+        """Shortening coefficient K1 of the ring pins."""
         return self.eccentricity * self.pins / self.ring_pin_circle_radius
 
     @property
@@ -122,11 +122,8 @@ class CycloidDisc:
     def min_path_radius(self) -> float:
         """Least convex radius of curvature of the tool's path, m.
 
-        Notes
-        -----
-        ``R_m*sqrt(27*(1 - K^2)*z)/(z_p + 1)^1.5`` where ``K > (z_p - 2)/(2*z_p - 1)``, on the
-        flank; else ``R_m*(1 + K)^2/(1 + z_p*K)``, at the tip. Where the curvature is stationary
-        over the lobe; derived.
+        ``R_m*sqrt(27*(1 - K^2)*z)/(z_p + 1)^1.5`` on the flank if ``K > (z_p - 2)/(2*z_p - 1)``,
+        otherwise ``R_m*(1 + K)^2/(1 + z_p*K)`` at the tip. Derived by stationary curvature.
 
         Examples
         --------
@@ -146,19 +143,17 @@ class CycloidDisc:
 
     @property
     def undercut_margin(self) -> float:
-        """That radius over the tool's: at 1 and below, the tool cuts a loop off the flank."""
+        """Least convex path radius over tool radius; at 1 or below the tool undercuts the flank."""
         return self.min_path_radius / self.tool_radius
 
     @property
     def undercut(self) -> bool:
-        """Whether a flank is undercut, or ends in a cusp, as at a margin of 1 within rounding."""
+        """True if a flank is undercut or ends in a cusp, which is a margin of 1 within rounding."""
         return not self.undercut_margin > 1 + AS_TYPED
 
     @property
     def valley_radius(self) -> float:
-        """Radius of curvature of the tool's path in the middle of a valley, m; infinite where the
-        path bends nowhere inwards.
-        """
+        """Radius of curvature of the tool's path in a valley, m; infinite if nowhere concave."""
         k, pins = self.shortening, self.pins
         if not pins * k > 1:
             return math.inf
@@ -166,16 +161,14 @@ class CycloidDisc:
 
     @property
     def min_concave_radius(self) -> float | None:
-        """Least concave radius of the disc, m, in the middle of its valleys; what grinds it has to
-        be smaller. None where it is nowhere concave.
-        """
+        """Least concave radius of the disc, m, a limit for grinding wheels; None if convex."""
         radius = self.valley_radius + self.tool_radius
         return radius if math.isfinite(radius) else None
 
     @property
     def accuracy(self) -> Accuracy:
-        """Of these sizes: rounding, of which more is left where the tool's path nearly has a cusp
-        in its valleys, hardly bends there, or where hardly anything is left of the disc.
+        """Rounding error of the sizes, larger near a cusp or a straight valley of the tool's path,
+        and if hardly anything is left of the disc.
         """
         k, bends = self.shortening, self.shortening * self.pins
         lost = 1 / (1 - k) + self.tool_circle_radius / abs(self.root_radius or math.inf)
@@ -184,82 +177,33 @@ class CycloidDisc:
         return Accuracy("closed_form", 8 * ROUNDING * lost, 1)
 
     def refuse_undercut(self) -> None:
-        """Refuse a disc whose tool cuts off a part of its flanks.
-
-        Raises
-        ------
-        InvalidInput
-            If it does.
-        """
+        """Raise InvalidInput if the tool undercuts the flanks."""
         if self.undercut:
             limit = self.min_path_radius - self.modification.equidistant
             raise InvalidInput("ring_pin_radius", self.ring_pin_radius, "undercut", limit=limit)
 
     def slope(self, t: FloatArray) -> FloatArray:
-        """S at parameters: a pin's centre is ``R_m*S`` from the pitch point.
-
-        Parameters
-        ----------
-        t : array, shape (n,)
-            Parameters, rad.
-
-        Returns
-        -------
-        array, shape (n,)
-        """
+        """S at parameters t, rad, shape (n,); a pin's centre is ``R_m*S`` from the pitch point."""
         k = self.shortening
         half = np.sin(self.satellite_teeth * t / 2)
         return np.asarray(np.sqrt((1 - k) ** 2 + 4 * k * half * half))
 
     def path_curvature(self, t: FloatArray) -> FloatArray:
-        """Curvature of the tool's path, convex positive.
-
-        Parameters
-        ----------
-        t : array, shape (n,)
-            Parameters, rad.
-
-        Returns
-        -------
-        array, shape (n,)
-            In 1/m.
-        """
+        """Curvature of the tool's path at parameters t (rad), 1/m, convex positive, shape (n,)."""
         k, pins = self.shortening, self.pins
-        # 1 + z_p*K^2 - (z_p + 1)*K*cos(z*t), which is a difference of its terms in the valley
+        # 1 + z_p*K^2 - (z_p + 1)*K*cos(z*t), written without cancellation in the valley
         bend = (1 - k) * (1 - pins * k) + 2 * (pins + 1) * k * np.sin(
             self.satellite_teeth * t / 2
         ) ** 2
         return np.asarray(bend / (self.tool_circle_radius * self.slope(t) ** 3))
 
     def curvature(self, t: FloatArray) -> FloatArray:
-        """Curvature of the disc, convex positive.
-
-        Parameters
-        ----------
-        t : array, shape (n,)
-            Parameters, rad.
-
-        Returns
-        -------
-        array, shape (n,)
-            In 1/m.
-        """
+        """Curvature of the disc at parameters t (rad), 1/m, convex positive, shape (n,)."""
         path = self.path_curvature(t)
         return np.asarray(path / (1 - self.tool_radius * path))
 
     def outline(self, t: FloatArray) -> ComplexArray:
-        """Points of the disc.
-
-        Parameters
-        ----------
-        t : array, shape (n,)
-            Parameters, rad.
-
-        Returns
-        -------
-        complex array, shape (n,)
-            In the disc's frame, about its centre, m.
-        """
+        """Points x + i*y of the disc about its centre, in its frame, at t (rad), m, shape (n,)."""
         k, radius = self.shortening, self.tool_circle_radius
         turned, lobe = np.exp(-1j * t), np.exp(-1j * self.satellite_teeth * t)
         normal = (1 - k * lobe) / self.slope(t)
@@ -271,41 +215,28 @@ class CycloidDisc:
 
 @dataclass(frozen=True, slots=True)
 class OutlinePoints:
-    """A disc's outline as a closed polygon of its points."""
+    """Outline of a disc as a closed polygon of points."""
 
-    points: FloatArray  # about the disc's centre, m, shape (n, 2); the first is not repeated
-    chord_error: float  # how far the outline is from the polygon at most, m
+    points: FloatArray  # points about the disc's centre, m, shape (n, 2); the first is not repeated
+    chord_error: float  # largest distance of the outline from the polygon, m
 
 
 def outline_points(
     *, disc: CycloidDisc, chord_error: float, most: int = MOST_POINTS
 ) -> OutlinePoints:
-    """Points of a disc so close that its outline is near their polygon; as many on every lobe, the
-    first in the valley that faces the crank at the crank angle 0, clockwise.
+    """Points of a disc, close enough that its outline is near their polygon.
+
+    Every lobe has equally many points; they run clockwise from the valley that faces the crank at
+    the crank angle 0. Points dt apart leave a distance of at most ``|C'|^2*|curvature|*dt^2/8``
+    from the chord in the limit of close points; the stated error is measured along each chord and
+    at the vertex of a parabola through the largest distance there. Raises InvalidInput if the disc
+    is undercut, or the chord error or the number of lobes needs more points.
 
     Parameters
     ----------
     disc : CycloidDisc
-        The disc.
-    chord_error : float
-        How far the outline may be from the polygon, m, > 0.
-    most : int
-        Most points.
-
-    Returns
-    -------
-    OutlinePoints
-
-    Raises
-    ------
-    InvalidInput
-        If the disc is undercut, or that would take more points, or its lobes do.
-
-    Notes
-    -----
-    Between points that are dt apart the outline bends away from its chord by
-    ``|C'|^2*|curvature|*dt^2/8`` at most, in the limit of close points; what is stated is measured
-    along each chord, and at the vertex of a parabola through the largest distance there.
+    chord_error : float, largest distance of the outline from the polygon, m, > 0
+    most : int, largest number of points
 
     Examples
     --------
@@ -341,7 +272,7 @@ def outline_points(
 
 
 def _farthest(disc: CycloidDisc, ends: ComplexArray) -> float:
-    """How far a lobe is from the chords between its points, which are even in t, m."""
+    """Largest distance of a lobe from the chords between its points, which are even in t, m."""
     each, lobe = len(ends) - 1, 2 * math.pi / disc.satellite_teeth
     parts = max(ALONG, math.ceil(LOOKED / each))
     t = np.linspace(0, lobe, each * parts, endpoint=False)
@@ -351,7 +282,7 @@ def _farthest(disc: CycloidDisc, ends: ComplexArray) -> float:
     aside = np.column_stack((aside, np.zeros(each)))
     best = np.abs(aside[:, 1:-1]).argmax(axis=1) + 1
     before, most, after = (aside[np.arange(each), best + way] for way in (-1, 0, 1))
-    # 0 below the vertex where the three lie on a line
+    # avoids a division by 0 if the three lie on a line
     bend = before - 2 * most + after
     vertex = most - (after - before) ** 2 / np.where(bend == 0, np.inf, 8 * bend)
     return float(np.abs(vertex).max())

@@ -1,8 +1,8 @@
 """Ring mesh and output mechanism in series: both let the output lag, and discs find their own lag.
 
-Neither stage holds the other's half of a disc: its teeth give in the ring, its holes on the pins,
-and each disc turns to where both torques on it are equal. Errors of crank and disc phases are
-counted once, in the teeth.
+Neither stage holds the disc of the other: the teeth of a disc give in the ring, its holes on the
+pins, and each disc turns to where both torques on it are equal. Errors of crank phases and disc
+phases are counted once, in the teeth.
 """
 
 import math
@@ -27,27 +27,17 @@ from core.ring.drives import series_drive
 from core.ring.sharing import CycloidMesh
 
 HALVINGS = 60
-"""How often the interference of parts that press is halved."""
+"""Number of bisections of the interference of parts that press."""
 
 PRESSES = 60
-"""Crank angles at which is looked whether the ring has play for its discs."""
+"""Number of crank angles at which the backlash of the discs in the ring is checked."""
 
 SHARED = "eccentricity", "crank_phase", "disc_phase"
-"""Deviations that both stages have."""
+"""Deviations that ring and output mechanism have in common."""
 
 
 def each_alone(ring: CycloidMesh) -> tuple[CycloidMesh, ...]:
-    """Each disc by itself in its ring.
-
-    Parameters
-    ----------
-    ring : CycloidMesh
-        The ring with all discs.
-
-    Returns
-    -------
-    tuple of CycloidMesh, K
-    """
+    """Ring meshes of each disc by itself, K of them."""
     own, found = ring.deviations, []
     for j in range(len(ring.crank_angles)):
         alone = {name: getattr(own, name)[j : j + 1] for name in SHARED}
@@ -63,24 +53,20 @@ def each_alone(ring: CycloidMesh) -> tuple[CycloidMesh, ...]:
 
 
 def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
-    """Pins in the holes of discs that turn in their ring as far as its pins let each.
+    """Room of output pins in the holes of discs that turn in the ring within their backlash.
+
+    The room is the largest one over the turning of each disc. Discs are held, and ``rooms`` is
+    returned, if ring pins press without load.
 
     Parameters
     ----------
-    rooms : Rooms
-        Pins in the holes of discs that are held.
-    ring : CycloidMesh
-        The ring, with the deviations of cranks and discs.
-
-    Returns
-    -------
-    Rooms
-        Their room is the largest that is left as each disc turns within its play in the ring.
+    rooms : Rooms, of pins in the holes of discs that are held
+    ring : CycloidMesh, with the deviations of cranks and discs
     """
     if rooms.deviations == Deviations() and ring.pins_alike:
         return rooms
     discs = each_alone(replace(ring, deviations=replace(ring.deviations, disc_phase=())))
-    # Holes are ahead with a crank that is: of that the ring turns them too.
+    # A crank that is ahead turns its disc, and its holes, by phase over ratio.
     ahead = ring.deviations.crank_phase or (0.0,) * len(discs)
     more = [phase / rooms.mechanism.ratio for phase in ahead]
 
@@ -97,7 +83,7 @@ def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
         return ends[0], ends[1]
 
     low, high = turned(np.linspace(0.0, 2 * np.pi, PRESSES, endpoint=False))
-    if (low == high).any():  # pins of the ring press without load, and hold the discs
+    if (low == high).any():  # ring pins press without load and hold the discs
         return rooms
     turns = 1 if ring.pins_alike else ring.disc.pins
     return replace(rooms, ring=turned, turns=turns)
@@ -105,10 +91,10 @@ def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
 
 @dataclass(frozen=True)
 class MeshesInSeries(Stage):
-    """Cycloid discs between the pins of their ring and those of the output."""
+    """Cycloid discs between ring pins and output pins."""
 
-    ring: CycloidMesh  # with the phases' deviations, without given shares
-    # Of the same discs, cranks and deviations of these; its bearings and pins may give.
+    ring: CycloidMesh  # ring mesh with the phase deviations, without given shares
+    # Output mechanism of equal discs, cranks and deviations; bearings and pins may be elastic.
     output: RealMechanism
 
     def __post_init__(self) -> None:
@@ -121,7 +107,7 @@ class MeshesInSeries(Stage):
                 raise InvalidInput("support", support, "only_one", field="ring")
 
     def _twice(self) -> Iterator[tuple[str, float, float]]:
-        """What both stages say, each by its name."""
+        """Name, ring's value and output's value of each quantity that both stages have."""
         ring, output = self.ring, self.output
         yield "satellites", len(ring.crank_angles), output.mechanism.satellites
         yield "ratio", ring.disc.satellite_teeth, output.mechanism.ratio
@@ -138,7 +124,7 @@ class MeshesInSeries(Stage):
 
     @property
     def mechanism(self) -> Mechanism:  # type: ignore[override] # not set
-        """Pins and cranks of the output."""
+        """Output pins and cranks."""
         return self.output.mechanism
 
     @property
@@ -148,52 +134,30 @@ class MeshesInSeries(Stage):
 
     @property
     def pins_alike(self) -> bool:
-        """Whether all pins of the ring are alike, those of the output, and all holes of a disc."""
+        """True if all ring pins are alike, all output pins are, and all holes of each disc are."""
         return self.ring.pins_alike and self.output.pins_alike
 
     @cached_property
     def teeth(self) -> tuple[CycloidMesh, ...]:
-        """Each disc by itself in its ring."""
+        """Ring meshes of each disc by itself."""
         return each_alone(self.ring)
 
     @cached_property
     def drive(self) -> Pieces:
         """Both meshes as the engine takes them."""
-        assert self.ring.drive and self.output.drive  # refuse what has no size, by its own number
+        assert self.ring.drive and self.output.drive  # raises for parts without a size
         return series_drive(self)
 
     def wave(self, crank_angle: float) -> float:
-        """Crank angle, rad, within half of the turns after which everything repeats.
-
-        Parameters
-        ----------
-        crank_angle : float
-            Crank angle, rad.
-        """
+        """Crank angle reduced to within z/2 turns of 0, rad; the period is z turns."""
         return math.remainder(crank_angle, 2 * math.pi * self.mechanism.ratio)
 
     def crank_angle(self, psi: float) -> float:
-        """The same counted from 0.
-
-        Parameters
-        ----------
-        psi : float
-            What `wave` says, rad.
-        """
+        """Crank angle reduced to between 0 and z turns, rad, from an angle of `wave`."""
         return psi % (2 * math.pi * self.mechanism.ratio)
 
     def with_wider_gaps(self, closer: float) -> "MeshesInSeries":
-        """The same with all gaps so much wider.
-
-        Parameters
-        ----------
-        closer : float
-            By how much, m.
-
-        Returns
-        -------
-        MeshesInSeries
-        """
+        """Both meshes with all gaps wider by a length in m."""
         return replace(
             self,
             ring=self.ring.with_thinner_pins(closer),
@@ -201,33 +165,24 @@ class MeshesInSeries(Stage):
         )
 
     def notices(self, *, pressed: bool) -> tuple[Notice, ...]:
-        """Limits that the ring strains.
-
-        Parameters
-        ----------
-        pressed : bool
-            Whether pairs press without load.
-
-        Returns
-        -------
-        tuple of Notice
-        """
+        """Notices on limits that the ring strains; ``pressed``: pairs press without load."""
         return self.ring.notices(pressed=pressed)
 
 
 @dataclass(frozen=True, slots=True)
 class RingPart:
-    """The ring's part of a position of both meshes."""
+    """Ring's part of a position of both meshes."""
 
-    rotation: tuple[float, ...]  # lag of the holes of each disc, rad, K values
-    force: tuple[tuple[float, ...], ...]  # of each pair, N, K x z_p
-    disc_torque: tuple[float, ...]  # of the forces about each disc's centre, N*m, K values
-    crank_across: tuple[float, ...]  # force of the ring on each disc against the crank, N, K values
-    crank_along: tuple[float, ...]  # and along it, to the axis, N, K values
+    rotation: tuple[float, ...]  # angular deflection of each disc's holes, rad, K values
+    force: tuple[tuple[float, ...], ...]  # contact force of each pair, N, K x z_p
+    disc_torque: tuple[float, ...]  # torque of the forces about each disc's centre, N*m, K values
+    # Force of the ring on each disc across the crank, against its turning, N, K values.
+    crank_across: tuple[float, ...]
+    crank_along: tuple[float, ...]  # force along the crank, to the axis, N, K values
     loaded_pairs: int  # number of pairs with a force
     max_pressure: float  # largest Hertz pressure, Pa
-    # From where to where each disc can turn in the ring alone, rad, K values; where its pins press
-    # the lag at which they do not turn it, twice.
+    # Least and largest lag of each disc in the ring alone, rad, K values; if ring pins press, twice
+    # the lag at which they exert no torque.
     play: tuple[tuple[float, float], ...]
 
 
@@ -235,89 +190,72 @@ class RingPart:
 class SeriesPosition:
     """Both meshes at one crank angle under load."""
 
-    crank_angle: float  # as asked, rad
-    rotation: float  # lag of the output behind its ideal angle, rad; negative in reverse
-    force: tuple[tuple[float, ...], ...]  # of each pin of the output, N, K x N
-    satellite_torque: tuple[float, ...]  # that each disc hands on, about its centre, N*m, K values
+    crank_angle: float  # given crank angle, rad
+    rotation: float  # angular deflection of the output, rad; negative in reverse
+    force: tuple[tuple[float, ...], ...]  # force of each output pin on each disc, N, K x N
+    satellite_torque: tuple[float, ...]  # torque of each disc about its centre, N*m, K values
     satellite_rotation: tuple[float, ...]  # lag of the output behind each disc, rad, K values
-    loaded_pairs: int  # number of pairs of output pins with a force
-    # Least and largest lag of the unloaded output, rad; None where pairs press without load.
+    loaded_pairs: int  # number of pairs of output pins and holes with a force
+    # Least and largest lag of the unloaded output, rad; None if the output has no play.
     play: tuple[float, float] | None
-    # Smallest possible worst approach of the unloaded pairs, m, where they press.
+    # Length by which all gaps have to grow until no pair presses, m; None if pairs are free.
     interference: float | None
-    stiffness: float  # dT/dtheta of both, N*m/rad
-    # Of the pins of the output that are pressed most, one in each direction of the torque.
-    contacts: tuple[HertzContact, ...]
-    ring: RingPart  # what the ring does
-    crank_force: tuple[float, ...]  # of ring and pins together on each crank, N, K values
-    # Across each crank, against its turning, of ring and pins together, N, K values: times the
-    # eccentricities what turns the crank, in exact geometry, of discs that do not float.
+    stiffness: float  # dT/dtheta of both meshes, N*m/rad
+    contacts: tuple[HertzContact, ...]  # contact of the output pin with the largest pressure
+    ring: RingPart  # forces and deflections of the ring mesh
+    crank_force: tuple[float, ...]  # force of ring and pins on each crank, N, K values
+    # Force of ring and pins across each crank, against its turning, N, K values. The eccentricities
+    # times these forces sum to the crank's torque in exact geometry if discs do not float.
     across: tuple[float, ...]
-    input_torque: float  # that turns the crank without friction, N*m
-    accuracy: Accuracy  # of the forces, over the largest
+    input_torque: float  # torque that turns the crank without friction, N*m
+    accuracy: Accuracy  # error of the forces over the largest force
     notices: tuple[Notice, ...]
 
     @property
     def max_pressure(self) -> float:
-        """The largest pressure of the pins of the output, Pa."""
+        """Largest pressure on the output pins, Pa."""
         return float(max(each.governing_pressure for each in self.contacts))
 
 
 def series_position(
     *, real: MeshesInSeries, crank_angle: float, output_torque: float
 ) -> SeriesPosition:
-    """Forces of both meshes, lags, play and stiffness at one crank angle.
+    """Forces of both meshes, angular deflections, backlash and stiffness at one crank angle.
+
+    With one disc, in first order, lags and backlashes of both stages add; with several discs they
+    do not, since each disc depends on both stages. Friction, speed, tilting and edge load,
+    deformation of discs, ring and carrier, and errors of single lobes are left out. Raises
+    ImpossibleMechanism if there is no stable equilibrium, see `Stage.solved`.
 
     Parameters
     ----------
     real : MeshesInSeries
-        Ring mesh and output mechanism.
-    crank_angle : float
-        Crank angle, rad.
-    output_torque : float
-        Torque T on the output link, N*m, not 0; negative in reverse.
-
-    Returns
-    -------
-    SeriesPosition
-
-    Raises
-    ------
-    InvalidInput
-        If an input is out of range.
-    ImpossibleMechanism
-        See `Stage.solved`.
-
-    Notes
-    -----
-    Of one disc in first order lags and plays of both stages add; of more they do not, since each
-    disc hangs on both. Left out: friction, speed, tilting and edge load, deformation of discs, ring
-    and carrier, errors of single lobes.
+    crank_angle : float, rad
+    output_torque : float, T on the output link, N*m, not 0; negative in reverse
 
     Examples
     --------
-    One disc: what the output lags is the sum of both stages.
+    With one disc the angular deflection is the sum of both stages.
 
+    >>> from core.materials import ElasticMaterial
     >>> from core.output.elasticity import LinearLaw
     >>> from core.output.loaded_position import loaded_position
     >>> from core.ring.profile import CycloidDisc
     >>> from core.ring.sharing import mesh_position
     >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
     ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3)
-    >>> from core.materials import ElasticMaterial
     >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(5e7), exact=False,
-    ...     pin_material=steel, disc_material=steel)
+    >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, exact=False,
+    ...                    law=LinearLaw(5e7), pin_material=steel, disc_material=steel)
     >>> real = RealMechanism(
     ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
     ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
     ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False,
     ...     pin_material=steel, hole_material=steel)
-    >>> found = series_position(real=MeshesInSeries(ring, real), crank_angle=0.3,
-    ...                         output_torque=30.0)
-    >>> alone = [mesh_position(mesh=ring, crank_angle=0.3, output_torque=30.0).rotation[0],
-    ...          loaded_position(real=real, crank_angle=0.3, output_torque=30.0).rotation]
+    >>> given = {"crank_angle": 0.3, "output_torque": 30.0}
+    >>> found = series_position(real=MeshesInSeries(ring, real), **given)
+    >>> alone = [mesh_position(mesh=ring, **given).rotation[0],
+    ...          loaded_position(real=real, **given).rotation]
     >>> round(found.rotation/sum(alone), 12)
     1.0
     """
@@ -379,9 +317,7 @@ def series_position(
 
 
 def _interference(series: MeshesInSeries, angle: float) -> float:
-    """Smallest possible worst approach without load where pairs press: by how much all gaps have to
-    be wider, so that nothing does.
-    """
+    """Length by which all gaps have to grow until no pair presses without load, m."""
 
     def presses(closer: float) -> bool:
         row = series.with_wider_gaps(closer).unloaded(np.array([angle]))[0]

@@ -1,4 +1,4 @@
-"""Forces on pins, satellites and crank of both meshes in series, over the turn."""
+"""Forces of both meshes in series on pins, discs and eccentric over the turn."""
 
 import math
 from dataclasses import replace
@@ -11,28 +11,14 @@ from core.ring.series_turn import SeriesTurn, of_ring
 
 
 def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
-    """Forces under one torque, sampled as closely as those on the pins of the output need, with the
-    ring's on each satellite.
-
-    Parameters
-    ----------
-    turn : SeriesTurn
-        Both meshes under the torque.
-
-    Returns
-    -------
-    SampledTurn
-
-    Raises
-    ------
-    ImpossibleMechanism
-        See `Stage.solved`.
+    """Forces under one torque with the ring's forces on each disc, sampled as closely as the forces
+    on the output pins and of the ring need. Raises ImpossibleMechanism as `Stage.solved` does.
 
     Examples
     --------
-    What the ring presses a disc across its crank turns that: in exact geometry with what the pins
-    press it so.
+    In exact geometry the forces of ring and pins across the crank give the input torque.
 
+    >>> from core.materials import ElasticMaterial
     >>> from core.output.elasticity import LinearLaw
     >>> from core.output.mechanism import Mechanism
     >>> from core.output.real_mechanism import RealMechanism
@@ -41,10 +27,9 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
     >>> from core.ring.sharing import CycloidMesh
     >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
     ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3)
-    >>> from core.materials import ElasticMaterial
     >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, law=LinearLaw(5e7),
-    ...     pin_material=steel, disc_material=steel)
+    >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
+    ...                    law=LinearLaw(5e7), pin_material=steel, disc_material=steel)
     >>> real = RealMechanism(
     ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
     ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
@@ -73,18 +58,8 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
 
 
 def teeth_samples(turn: SeriesTurn) -> CloseSamples:
-    """Forces of the pins of the ring at the same samples; of pins that are alike over as many
-    periods as each of them takes to have what every other one had.
-
-    Parameters
-    ----------
-    turn : SeriesTurn
-        Both meshes under the torque.
-
-    Returns
-    -------
-    CloseSamples
-        With the lag of the output.
+    """Forces of the ring pins at the samples of `SeriesTurn.close`, with the lag of the output,
+    until pins that are alike have had each other's forces.
     """
     rows, ring = turn.close, turn.real.ring
     force, pins = rows["teeth"], ring.disc.pins

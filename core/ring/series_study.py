@@ -1,4 +1,4 @@
-"""What tolerances do to pieces of both meshes in series: a ring of pins too, and its discs."""
+"""Tolerance study of both meshes in series, with the ring pins and the discs."""
 
 import math
 from dataclasses import dataclass, replace
@@ -20,34 +20,26 @@ from core.tolerance.study import Study
 from core.tolerance.tolerances import Drawn, RingRows
 
 FINER = 8
-"""How many times as many positions show what those asked miss."""
+"""Factor on the number of positions by which the error of the grid is estimated."""
 
 LOOKED = 16
-"""Crank angles in each pitch of the ring's pins at which is looked whether a piece fits."""
+"""Number of crank angles in each pitch of the ring pins at which a piece is checked for fit."""
 
 NAMES = {"equidistant": "equidistant", "pin_circle": "modification_pin_circle"}
-"""Tolerances of a modification, by its own names."""
+"""Names of the tolerances of a modification by the names of its fields."""
 
 TRIED = 24
-"""Ways of going through the turns that are tried, of which one comes everywhere on the wave."""
+"""Number of orders of the turns that are tried to space the wave angles evenly."""
 
 
 @lru_cache(maxsize=16)
 def crank_places(*, lobes: int, count: int) -> tuple[float, ...]:
-    """Crank angles evenly over a turn, each in another of the turns after which all repeats, so
-    that the wave angles of the output are nearly even too.
+    """Crank angles spaced evenly in a turn, each in another of the ``lobes`` turns of a period,
+    rad; wave angles of the output are nearly even too.
 
     Parameters
     ----------
-    lobes : int
-        Of a disc: as many turns.
-    count : int
-        How many.
-
-    Returns
-    -------
-    tuple of float
-        rad.
+    lobes, count : int
 
     Examples
     --------
@@ -62,7 +54,7 @@ def crank_places(*, lobes: int, count: int) -> tuple[float, ...]:
         return each / count + each * step % lobes
 
     def widest(step: int) -> float:
-        """Widest gap of the wave angles."""
+        """Widest gap of the wave angles, in turns."""
         waves = np.sort(turns(step) * (1 + 1 / lobes) % 1)
         return round(float(np.diff(waves, append=waves[0] + 1).max()), 12)
 
@@ -71,9 +63,9 @@ def crank_places(*, lobes: int, count: int) -> tuple[float, ...]:
 
 @dataclass(frozen=True, slots=True)
 class SeriesStudy(Study):
-    """A design of both meshes in series, its tolerances, and what is asked."""
+    """Nominal design of both meshes in series, its tolerances, and the quantities to calculate."""
 
-    real: MeshesInSeries  # type: ignore[assignment] # the nominal design, without deviations
+    real: MeshesInSeries  # type: ignore[assignment] # nominal design, without deviations
 
     def __post_init__(self) -> None:
         own = self.real.ring.disc.modification
@@ -98,55 +90,34 @@ class SeriesStudy(Study):
 
     @property
     def output(self) -> RealMechanism:
-        """The output mechanism."""
+        """Output mechanism."""
         return self.real.output
 
     @property
     def ring_pins(self) -> int:
-        """Number z_p of the ring's pins."""
+        """Number z_p of ring pins."""
         return self.real.ring.disc.pins
 
     @property
     def pairs(self) -> int:
-        """Pairs of both meshes."""
+        """Number of pairs in both meshes."""
         own = self.real.mechanism
         return (own.pins + self.ring_pins) * own.satellites
 
     def places(self, count: int) -> tuple[float, ...]:
-        """Crank angles at which pieces are solved.
-
-        Parameters
-        ----------
-        count : int
-            How many.
-
-        Returns
-        -------
-        tuple of float
-            rad.
-        """
+        """Crank angles at which pieces are solved, rad."""
         return crank_places(lobes=self.ring_pins - 1, count=count)
 
     rigid = False
-    """No scalar loop knows a ring."""
+    """False, as the quicker loop for rigid discs has no ring."""
 
     @property
     def looked(self) -> FloatArray:
-        """Crank angles at which is looked whether a piece goes together, rad."""
+        """Crank angles at which a piece is checked for fit, rad."""
         return np.sort(self.places(LOOKED * self.ring_pins))
 
     def drives(self, pieces: Drawn) -> Pieces:
-        """Drives of pieces, as the engine takes them.
-
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-
-        Returns
-        -------
-        Pieces
-        """
+        """Drives of pieces as the engine takes them."""
         series, of_ring = self.real, pieces.ring_rows()
         tool = _tools(series.ring.disc, of_ring)
         teeth = LobeErrors(
@@ -155,19 +126,7 @@ class SeriesStudy(Study):
         return series_pieces(series=series, teeth=teeth, errors=pieces.rows())
 
     def piece(self, pieces: Drawn, index: int) -> Any:
-        """Both meshes of one piece.
-
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-        index : int
-            Which of them.
-
-        Returns
-        -------
-        MeshesInSeries
-        """
+        """Both meshes of one piece with its deviations."""
         own, ring = self.deviations(pieces, index), self.real.ring
         rows = pieces.part(index, index + 1).ring_rows()
         radial, tangential, radius = (tuple(row[0].tolist()) for row in rows[:3])
@@ -180,65 +139,30 @@ class SeriesStudy(Study):
         )
 
     def turn_of(self, pieces: Drawn, index: int) -> SeriesTurn:
-        """One piece under the torque, over the turns.
-
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-        index : int
-            Which of them.
-
-        Returns
-        -------
-        SeriesTurn
-        """
+        """One piece under the torque over the turns of a period."""
         piece = self.piece(pieces, index)
         return SeriesTurn(piece, self.asked.output_torque, self.asked.lost_motion_share)
 
     def square_pressure(self, name: str) -> float:
-        """Square of a quantity that is a pressure, over what the engine says of it.
-
-        Parameters
-        ----------
-        name : str
-            Of the quantity.
-
-        Returns
-        -------
-        float
-        """
+        """Square of a pressure over the value that the engine has for it."""
         if name != "ring_max_pressure":
             return Study.square_pressure(self, name)
         return self.real.ring.pressure(1.0) ** 2
 
     def grid_errors(self, pieces: Drawn, values: FloatArray) -> dict[str, float]:
-        """What the positions miss of each quantity.
-
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-        values : array, shape (pieces, quantities)
-            Their quantities.
-
-        Returns
-        -------
-        dict of float
-            By the names of the quantities, relative.
-        """
+        """Relative error of each quantity by the finite number of positions, by name."""
         return self.missed_by_finer(pieces, values, FINER)
 
 
 def _cut(disc: CycloidDisc, equidistant: float, pin_circle: float) -> CycloidDisc:
-    """A disc that another tool cuts, by how much its modification is off, m."""
+    """Disc with a modification changed by offsets in m."""
     own = disc.modification
     changed = Modification(own.equidistant + equidistant, own.pin_circle + pin_circle, own.rotation)
     return replace(disc, modification=changed)
 
 
 def _tools(disc: CycloidDisc, rows: RingRows) -> FloatArray:
-    """Sizes that come from the tool of each piece."""
+    """Values of `tool_of` for each piece, shape (S, 4)."""
     changes = np.concatenate([rows.equidistant, rows.modification_pin_circle], axis=1)
     if not changes.any():
         changes = changes[:1]

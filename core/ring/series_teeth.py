@@ -1,4 +1,4 @@
-"""The ring's mesh as it works in series with the pins of the output."""
+"""Teeth of the ring mesh as they work in series with the output pins."""
 
 import numpy as np
 
@@ -14,14 +14,10 @@ from core.ring.sharing import CycloidMesh, MeshTurn
 
 
 class TeethInSeries(MeshTurn):
-    """The teeth as the discs find their place between ring and pins. Forces, pressures, sliding and
-    lags are those of the discs in that one solution; the transmission error is that of the output,
-    as are play, stiffness and ripple.
+    """Ring mesh of discs that find their place between ring and output pins.
 
-    Parameters
-    ----------
-    series : SeriesOverTurn
-        Both meshes under the torque.
+    Forces, pressures, sliding and lags are those of the discs. Transmission error, backlash,
+    stiffness and ripple are those of the output.
     """
 
     def __init__(self, series: SeriesOverTurn) -> None:
@@ -30,43 +26,41 @@ class TeethInSeries(MeshTurn):
 
     @property
     def mesh(self) -> CycloidMesh:
-        """The mesh."""
+        """Ring mesh as it is made."""
         return self.series.series.ring
 
     @property
     def samples(self) -> tuple[FloatArray, FloatArray]:
-        """Crank angles of positions, rad, and the forces of all pairs there, N."""
+        """Crank angles of the solved positions, rad, and the forces of all pairs there, N."""
         rows = self.series.turn.fine
         return rows["wave"], rows["teeth"]
 
     @property
     def close(self) -> CloseSamples:
-        """Forces of all pairs, sampled as closely as those of the output and the ring's on the
-        discs need: until each pin has had what each other one that is alike had.
-        """
+        """Forces of all pairs, sampled until pins that are alike have had each other's forces."""
         turn = self.series.turn
         assert isinstance(turn, SeriesTurn)
         return teeth_samples(turn)
 
     @property
     def even(self) -> IntArray:
-        """Which of these are evenly spaced."""
+        """Indices of the evenly spaced positions in `samples`."""
         places, _ = self.series.turn.positions()
         return np.searchsorted(self.series.turn.fine["wave"], places)
 
     @property
     def peak_force(self) -> float:
-        """Largest force, N."""
+        """Largest contact force, N."""
         return self.series.ring.peak_force
 
     @property
     def peak_crank_angle(self) -> float:
-        """Crank angle at which it occurs, rad; of equal peaks any."""
+        """Crank angle of the largest contact force, rad; any one of equal peaks."""
         return self.series.ring.peak_crank_angle
 
     @property
     def peak_pair(self) -> PairNumber:
-        """The pair that carries it there."""
+        """Pair with the largest contact force."""
         return self.series.ring.peak_pair
 
     @property
@@ -81,68 +75,55 @@ class TeethInSeries(MeshTurn):
 
     @property
     def _pressed(self) -> Summit:
-        """The largest force over reduced radius over the turns."""
+        """Place of the largest force over reduced radius."""
         return self.series.ring_pressed[0]
 
     @property
     def _period(self) -> float:
-        """That after which both meshes repeat, rad."""
+        """Crank angle after which both meshes repeat, rad."""
         return self.series.turn.period
 
     @property
     def pressed_without_load(self) -> bool:
-        """Whether pairs press so anywhere, in either mesh."""
+        """True if pairs of either mesh press without load anywhere."""
         return self.series.pressed_without_load
 
     def forces_at(self, crank_angle: float) -> FloatArray:
-        """Forces of all pairs at a crank angle, counted over all turns after which both meshes
-        repeat, N.
-
-        Parameters
-        ----------
-        crank_angle : float
-            The angle, rad.
-
-        Returns
-        -------
-        array, shape (K, z_p)
-        """
+        """Forces of all pairs at a crank angle (rad) of the period, N, shape (K, z_p)."""
         forces: FloatArray = self.series.turn.poses([crank_angle])["teeth"]
         return forces.reshape(-1, self.mesh.disc.pins)
 
     @derived
     def lags(self) -> tuple[float, float]:
-        """Largest and least lag of the holes of a disc, counted as the torque turns, at the
-        positions that were solved.
-        """
+        """Largest and least lag of a disc's holes at solved positions, along the torque, rad."""
         solved = [rows["own"] for rows in (self.turn.fine, self.turn.again)]
         return max(float(own.max()) for own in solved), min(float(own.min()) for own in solved)
 
     @property
     def transmission_error(self) -> float:
-        """Largest less least lag of the output, rad."""
+        """Largest less least angular deflection of the output, rad."""
         return self.series.transmission_error
 
     @derived
     def discs(self) -> tuple[MeshTurn, ...]:
-        """Each disc by itself in the ring, those that are alike there once."""
+        """Ring meshes of each disc by itself over the turn, discs of one eccentricity once."""
         one, torque = self.series.series, self.turn.torque / len(self.mesh.crank_angles)
         alike = {teeth.deviations.eccentricity: teeth for teeth in one.teeth}
         return tuple(MeshTurn(Turn(teeth, torque)) for teeth in alike.values())
 
     @property
     def play_in_ring(self) -> float:
-        """Largest play of an unloaded disc by itself in the ring, rad."""
+        """Largest backlash of an unloaded disc by itself in the ring, rad."""
         return max(each.play_in_ring for each in self.discs)
 
     @property
     def interference(self) -> float:
-        """Smallest possible worst approach without load of a disc by itself in the ring, m."""
+        """Largest interference without load of a disc by itself in the ring, m."""
         return max(each.interference for each in self.discs)
 
     @property
     def accuracy(self) -> Accuracy:
-        """Of the largest force over reduced radius."""
+        """Error of the largest force over reduced radius."""
         top, missed = self.series.ring_pressed
         rows = self.series.turn.fine
         unsure = float(rows["error"].max() / rows["mesh_force"].max())

@@ -1,9 +1,9 @@
-"""Ring mesh and output mechanism in series, over the turns of the crank after which all repeats.
+"""Ring mesh and output mechanism in series over the turns of the crank in one period.
 
-The ring's forces repeat with the crank, those of the output with the wave, which makes ``z + 1``
-turns where the crank makes z: together with z turns of the crank, one of the output. Where pins are
-alike they repeat before, with other pins in their places: the ring's with each of its ``z + 1``
-pitches, the output's with each of its N.
+Forces of the ring repeat with the crank, those of the output with the wave, which makes ``z + 1``
+turns while the crank makes z turns and the output one: z turns are the period. With pins that are
+alike, forces repeat sooner on other pins: the ring's after each of its ``z + 1`` pitches, the
+output's after each of its N pitches.
 """
 
 import math
@@ -24,77 +24,46 @@ from core.output.turn import LOOKED_AGAIN, POSITIONS, Rows, Turn
 from core.ring.series import MeshesInSeries
 
 LEAST_A_TURN = 48
-"""Positions of a turn of the crank at least."""
+"""Least number of positions in a turn of the crank."""
 
 OF_A_PITCH = 4
-"""And over a pitch of the ring's pins, where that makes no more than `MOST`."""
+"""Number of positions in a pitch of the ring pins, unless that makes more than `MOST`."""
 
 MOST = 2000
-"""Positions of all turns above which a pitch has fewer."""
+"""Number of positions in a period above which a pitch has fewer."""
 
 LEAST = 120
-"""Positions of a shorter period at least."""
+"""Least number of positions in a period."""
 
 NEAR = 5e-5
-"""How far forces may lie off the straight lines between samples, as a part of the largest, and of
-as many turns of the wave so many times as far.
-"""
+"""Largest distance of forces from the straight lines between samples, over the largest force; a
+longer period has more, in proportion to its turns of the wave."""
 
 
 def positions_in_series(*, lobes: int, pitches: int) -> int:
-    """Positions of the even grid over a period: as many in each pitch of the ring's pins.
+    """Number of positions of the even grid over a period, equally many in each pitch of the ring.
 
     Parameters
     ----------
-    lobes : int
-        Of a disc; as many turns of the crank, with one pin of the ring more.
-    pitches : int
-        Of the period: of all turns ``lobes*(lobes + 1)``.
-
-    Returns
-    -------
-    int
+    lobes, pitches : int, of a disc, and in the period: ``z*(z + 1)`` in z turns
 
     Examples
     --------
-    >>> positions_in_series(lobes=20, pitches=420), positions_in_series(lobes=59, pitches=3540)
-    (1680, 3540)
-    >>> positions_in_series(lobes=20, pitches=5)
-    120
+    >>> positions_in_series(lobes=20, pitches=420), positions_in_series(lobes=20, pitches=5)
+    (1680, 120)
     """
     least = math.ceil(max(LEAST_A_TURN, POSITIONS / lobes) / (lobes + 1))
     return pitches * max(least, min(OF_A_PITCH, MOST // pitches), math.ceil(LEAST / pitches))
 
 
 def of_ring(rows: Rows) -> ComplexArray:
-    """Force of the ring on each disc along its crank, and i times that across it.
-
-    Parameters
-    ----------
-    rows : dict of array
-        Positions.
-
-    Returns
-    -------
-    array, shape (n, K)
-        N.
-    """
+    """Force of the ring on each disc, along its crank + i times across it, N, shape (n, K)."""
     found: ComplexArray = rows["along"] + 1j * rows["across"]
     return found
 
 
 class SeriesTurn(Turn):
-    """Both meshes under a torque, over the turns of the crank; refusals as `Stage.solved`.
-
-    Parameters
-    ----------
-    real : MeshesInSeries
-        Both meshes.
-    torque : float
-        On the output link, N*m, not 0; negative in reverse.
-    share : float
-        Share of the torque under which the lost motion is taken.
-    """
+    """Both meshes under a torque on the output link, N*m, negative in reverse, over one period."""
 
     def __init__(self, real: MeshesInSeries, torque: float, share: float = 0.03) -> None:
         super().__init__(real, torque, share)
@@ -103,41 +72,35 @@ class SeriesTurn(Turn):
         self.repeats = math.gcd(lobes, pins) if real.output.pins_alike else 1
         whole = lobes if real.ring.pins_alike else lobes * (lobes + 1)
         self.pitches = whole // self.repeats
-        """Of the ring, in a period."""
+        """Number of pitches of the ring pins in a period."""
         self.period = 2 * math.pi * self.pitches / (lobes + 1)
         self.waves = 1 if real.ring.pins_alike else lobes + 1
         self.step = self.waves * pins // self.repeats % pins
 
     def at_waves(self, places: FloatArray) -> Rows:
-        """Positions at wave angles of the output, rad."""
+        """Positions at wave angles of the output in rad."""
         own = self.real.mechanism
         return self.poses(((places - own.initial_crank_angle) / own.waves_per_turn).tolist())
 
     def of_pairs(self, largest: FloatArray) -> FloatArray:
-        """Largest values of all pairs, by those over a period."""
+        """Largest values of all pairs from those over one period."""
         own = largest.reshape(self.real.mechanism.satellites, self.repeats, -1)
         return np.broadcast_to(own.max(axis=1, keepdims=True), own.shape).ravel()
 
     def positions(self) -> tuple[list[float], list[float]]:
-        """Crank angles of an even grid; none is near where a pair takes up or leaves more than
-        elsewhere.
-        """
+        """Crank angles of an even grid, rad, and no further ones near changes of contact."""
         lobes = self.real.ring.disc.satellite_teeth
         count = positions_in_series(lobes=lobes, pitches=self.pitches)
         return [self.period * k / count for k in range(count)], []
 
     @derived
     def close(self) -> Rows:
-        """Positions of a period, as closely as the forces on the pins of the output and of the ring
-        on the discs need.
-        """
+        """Positions of a period, as close as forces on output pins and of the ring on discs ask."""
         near = NEAR * max(1.0, self.pitches / self.real.ring.disc.satellite_teeth)
         return refined(turn=self, near=near, besides=self._ring_off)
 
     def _ring_off(self, rows: Rows) -> FloatArray:
-        """How far those of the ring lie off the line between their neighbours, as parts of the
-        largest.
-        """
+        """Distance of the ring's forces from lines between neighbours, over the largest force."""
         parts, wave = of_ring(rows), rows["wave"]
         angles = np.concatenate(([wave[-1] - self.period], wave, [wave[0] + self.period]))
         around = np.concatenate((parts[-1:], parts, parts[:1])).T
@@ -146,30 +109,26 @@ class SeriesTurn(Turn):
 
     @property
     def looked_again(self) -> int:
-        """As many for each of the grid's as of one stage."""
+        """Number of positions of the second look, in proportion to the grid."""
         return round(len(self.positions()[0]) * LOOKED_AGAIN / POSITIONS) | 1
 
 
 @dataclass(frozen=True, slots=True)
 class RingTurn:
-    """What the ring does over the turns."""
+    """Extremes of the ring's forces over the period."""
 
-    peak_force: float  # largest on a pin of the ring, N
-    peak_crank_angle: float  # crank angle at which it occurs, rad, of all turns
-    peak_pair: PairNumber  # satellite, and the pin that carries it there, from 1
+    peak_force: float  # largest force on a ring pin, N
+    peak_crank_angle: float  # crank angle of the peak within the period, rad
+    peak_pair: PairNumber  # disc and ring pin of the peak, from 1
     max_pressure: float  # largest Hertz pressure, Pa
     loaded_pairs_min: int  # least number of pairs with a force, on the grid
-    loaded_pairs_max: int  # largest number
+    loaded_pairs_max: int  # largest number of pairs with a force, on the grid
 
 
 class SeriesOverTurn(OverTurn):
-    """Extremes of both meshes over the turns, each looked for when it is asked for. What is said of
-    forces and pairs is of the pins of the output, `ring` of those of the ring.
+    """Extremes of both meshes over the period, each found on demand.
 
-    Parameters
-    ----------
-    turn : SeriesTurn
-        Both meshes under a torque.
+    Forces and pairs are those of the output pins; `ring` has those of the ring pins.
     """
 
     def __init__(self, turn: SeriesTurn) -> None:
@@ -179,15 +138,11 @@ class SeriesOverTurn(OverTurn):
 
     @derived
     def ring_pressed(self) -> tuple[Summit, float]:
-        """Where the force over reduced radius is largest on the ring, and what of it may be
-        missed.
-        """
+        """Place of the ring's largest force over reduced radius, and the error of that value."""
         return self._known("mesh_pressure", engine.LOBE_PRESSED)
 
     def _known(self, name: str, kind: int) -> tuple[Summit, float]:
-        """Where a value of the positions is largest, and by how much half of them or a second look
-        say otherwise.
-        """
+        """Place of the largest value, and its change by half of the positions or a second look."""
         turn = self.turn
         coarse, fine, again = (
             self._grid(rows, name) for rows in (turn.coarse, turn.fine, turn.again)
@@ -217,7 +172,7 @@ class SeriesOverTurn(OverTurn):
 
     @derived
     def ring(self) -> RingTurn:
-        """What the ring does."""
+        """Extremes of the ring's forces."""
         turn, series = self.turn, self.series
         top, _ = self._known("mesh_force", engine.LOBE_FORCE)
         place = min(each % turn.period for each in top.alike)
@@ -235,12 +190,12 @@ class SeriesOverTurn(OverTurn):
 
     @property
     def ring_pressure(self) -> float:
-        """Largest Hertz pressure of its pairs, Pa."""
+        """Largest Hertz pressure on the ring pins, Pa."""
         return self.series.ring.pressure(self.ring_pressed[0].height)
 
     @property
     def pressed_without_load(self) -> bool:
-        """Whether pairs press so anywhere, in either stage too."""
+        """True if pairs of either stage press without load anywhere."""
         return bool(self.turn.fine["pressed"].any())
 
     @derived
@@ -249,7 +204,7 @@ class SeriesOverTurn(OverTurn):
 
     @property
     def notices(self) -> tuple[Notice, ...]:
-        """What to know besides."""
+        """Notices on limits that both meshes strain and on poor accuracy."""
         of_output = notices(
             real=self.real,
             lag=float(np.abs(self.turn.fine["lag"]).max()),
@@ -265,28 +220,17 @@ def series_over_turn(
 ) -> SeriesOverTurn:
     """Peak forces, backlash, lost motion, transmission error and stiffness of both meshes.
 
+    Raises ImpossibleMechanism if a position has no stable equilibrium, see `Stage.solved`.
+
     Parameters
     ----------
     real : MeshesInSeries
-        Both meshes.
-    output_torque : float
-        Torque T on the output link, N*m, not 0; negative in reverse.
-    lost_motion_share : float
-        Share of the torque under which the lost motion is taken, 0 < share <= 1.
-
-    Returns
-    -------
-    SeriesOverTurn
-
-    Raises
-    ------
-    InvalidInput
-        If an input is out of range.
-    ImpossibleMechanism
-        Where a position cannot be, see `Stage.solved`.
+    output_torque : float, T on the output link, N*m, not 0; negative in reverse
+    lost_motion_share : float, share of the torque at which lost motion is measured, > 0, <= 1
 
     Examples
     --------
+    >>> from core.materials import ElasticMaterial
     >>> from core.output.elasticity import LinearLaw
     >>> from core.output.mechanism import Mechanism
     >>> from core.output.real_mechanism import RealMechanism
@@ -294,15 +238,13 @@ def series_over_turn(
     >>> from core.ring.sharing import CycloidMesh
     >>> disc = CycloidDisc(satellite_teeth=5, eccentricity=1e-3,
     ...                    ring_pin_circle_radius=0.02, ring_pin_radius=2e-3)
-    >>> from core.materials import ElasticMaterial
     >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(5e7), exact=False,
-    ...     pin_material=steel, disc_material=steel)
+    >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, exact=False,
+    ...                    law=LinearLaw(5e7), pin_material=steel, disc_material=steel)
     >>> output = RealMechanism(mechanism=Mechanism(3, (0.0,), 5.0), pin_circle_radius=0.01,
     ...                        pin_radius=2e-3, eccentricity=1e-3, contact_length=0.01,
     ...                        law=LinearLaw(5e7), exact=False,
-    ...     pin_material=steel, hole_material=steel)
+    ...                        pin_material=steel, hole_material=steel)
     >>> found = series_over_turn(real=MeshesInSeries(ring, output), output_torque=5.0)
     >>> round(found.peak_force, 6), round(found.ring.peak_force, 4)
     (624.616606, 686.7476)
@@ -315,5 +257,5 @@ def series_over_turn(
         code, limit = ("greater_than", 0) if lost_motion_share <= 0 else ("less_than_equal", 1)
         raise InvalidInput("lost_motion_share", lost_motion_share, code, limit=limit)
     found = SeriesOverTurn(SeriesTurn(real, output_torque, lost_motion_share))
-    assert found.turn.coarse  # refuses what cannot be
+    assert found.turn.coarse  # raises for positions without an equilibrium
     return found

@@ -1,10 +1,10 @@
-"""Pairs of involute teeth that really carry: beyond the path flanks are microns apart.
+"""Number of involute pairs that carry, as flanks beyond the path of contact are only microns apart.
 
-There they touch at the corner of a tip once the teeth give. It needs teeth without errors, and is
-told for information: a pitch error of some microns takes most of it away.
+Pairs beyond the path touch at the corner of a tip once the teeth deflect. The result holds for
+teeth without errors and is for information: a pitch error of some microns removes most of it.
 
-In the frame of the ring the satellite's centre lies on the real axis, at the eccentricity; tooth i
-and space i face each other there with the satellite turned by 0. Flanks are those anticlockwise.
+In the frame of the ring the planet's centre lies on the real axis, at the eccentricity. Tooth i and
+space i face each other there if the planet is turned by 0. Flanks are the anticlockwise ones.
 """
 
 import math
@@ -21,62 +21,53 @@ from core.ring.involute import InvolutePair
 from core.ring.line_of_action import involute, roll
 
 PAIR_STIFFNESS = 14e9
-"""Stiffness of a pair of steel teeth along the line of action over their width, N/m^2."""
+"""Stiffness of a pair of steel teeth along the line of action over the tooth width, N/m^2."""
 
 POSITIONS = 97
-"""Positions within a pitch at which is looked first."""
+"""Number of positions within a pitch in the first search."""
 
 HALVINGS = 60
-"""Of the stretch of a ring's flank on which the satellite's tip circle crosses it."""
+"""Number of bisections for the crossing of a ring's flank and the planet's tip circle."""
 
 
 class Touching(NamedTuple):
-    """By which turns of the satellite about its own centre its pairs touch.
+    """Turns of the planet about its own centre at which its pairs touch; arrays of shape (m, n)."""
 
-    Arrays have positions first, then pairs.
-    """
-
-    pair: IntArray  # i of each, shape (n,)
-    onset: FloatArray  # eps_i, rad; infinite where a pair never does
-    lever: FloatArray  # h_i of the force about the satellite's centre, m
-    at_corner: BoolArray  # whether it touches at the corner of a tip, beside the path
+    pair: IntArray  # index i of each pair, shape (n,)
+    onset: FloatArray  # angle eps_i at which the pair touches, rad; infinite if never
+    lever: FloatArray  # lever h_i of the force about the planet's centre, m
+    at_corner: BoolArray  # true if the pair touches at the corner of a tip, beside the path
 
 
 class SharedTorque(NamedTuple):
-    """How pairs share a satellite's torque, positions first, then pairs."""
+    """Forces of pairs that share a planet's torque, shape (m, n), and its rotation, shape (m,)."""
 
     force: FloatArray  # F_i, N
-    rotation: FloatArray  # of the satellite under it, from where teeth are centred, rad
+    rotation: FloatArray  # angular deflection of the planet from centred teeth, rad
 
 
 @dataclass(frozen=True)
 class PairsThatCarry:
     """Pairs that carry over a pitch."""
 
-    loaded_pairs_min: int  # fewest, at the positions that were looked at
-    loaded_pairs_max: int  # most
-    largest_share: float  # of a pair, over the force of one that carries all
-    edge_contact: bool  # whether a pair carries at the corner of a tip
+    loaded_pairs_min: int  # least number over the positions of the search
+    loaded_pairs_max: int  # largest number over the positions of the search
+    largest_share: float  # largest force of a pair over that of a pair that carries all
+    edge_contact: bool  # true if a pair carries at the corner of a tip
     accuracy: Accuracy
 
 
 def touching(*, pair: InvolutePair, angle: FloatArray) -> Touching:
-    """Turns by which the pairs of a satellite touch.
+    """Turns at which the pairs of a planet touch, for its turns theta_s in rad, shape (m,).
 
-    On the path by half the backlash, where the roll angle ``axis_i + eps + sigma_s + alpha_w`` lies
-    on it; at the corner of the ring's tip on the satellite's flank, at that of the satellite's tip
-    on the ring's: by the least of these.
+    A pair touches on the path after half the backlash if the roll angle
+    ``axis_i + eps + sigma_s + alpha_w`` lies on the path, at the corner of the ring's tip on the
+    planet's flank, or at the corner of the planet's tip on the ring's flank; the least turn counts.
 
     Parameters
     ----------
     pair : InvolutePair
-        The teeth.
-    angle : array, shape (m,)
-        Turns theta_s of the satellite, rad.
-
-    Returns
-    -------
-    Touching
+    angle : array, rad
     """
     line, teeth = pair.line, pair.teeth
     count = teeth.satellite_teeth
@@ -101,7 +92,7 @@ def touching(*, pair: InvolutePair, angle: FloatArray) -> Touching:
 
 
 def _by_ring_tip(pair: InvolutePair, flank: FloatArray, space: FloatArray) -> FloatArray:
-    """Turns by which the corners of the ring's tips touch the satellite's flanks."""
+    """Turns at which the corners of the ring's tips touch the planet's flanks, rad."""
     line, tip = pair.line, pair.teeth.ring_tip
     at_tip = float(involute(math.atan(roll(tip, base=line.ring_base))))
     corner = tip * np.exp(1j * (space - at_tip))
@@ -117,14 +108,14 @@ def _by_ring_tip(pair: InvolutePair, flank: FloatArray, space: FloatArray) -> Fl
 def _by_satellite_tip(
     pair: InvolutePair, flank: FloatArray, space: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Turns by which the corners of the satellite's tips touch the ring's flanks, and levers."""
+    """Turns at which corners of the planet's tips touch the ring's flanks, rad; levers, m."""
     line, tip = pair.line, pair.teeth.satellite_tip
 
     low = float(roll(pair.teeth.ring_tip, base=line.ring_base))
     high = float(roll(pair.ring_root, base=line.ring_base))
 
     def place(tangent: FloatArray | float, turned: FloatArray) -> FloatArray:
-        """Of the ring's flank at a roll angle, from the satellite's centre."""
+        """Point of the ring's flank at a roll angle, from the planet's centre, m."""
         on_flank = line.ring_base * np.exp(1j * (turned - tangent)) * (1 + 1j * tangent)
         return np.asarray(on_flank - line.eccentricity)
 
@@ -144,33 +135,18 @@ def _by_satellite_tip(
 
 
 def _wrapped(angle: FloatArray) -> FloatArray:
-    """The same direction within half a turn."""
+    """Angle within half a turn of 0."""
     return np.remainder(angle + math.pi, 2 * math.pi) - math.pi
 
 
 def shared_torque(*, found: Touching, torque: float, stiffness: float) -> SharedTorque:
-    """How pairs of one stiffness share a torque: ``F_i = k*h_i*max(0, eps - eps_i)``,
-    ``sum F_i*h_i = T_j``.
-
-    They are closed in the order of their onsets.
+    """Forces of pairs of one stiffness that share a torque, closed in the order of their onsets:
+    ``F_i = k*h_i*max(0, eps - eps_i)``, ``sum F_i*h_i = T_j``.
 
     Parameters
     ----------
     found : Touching
-        When they touch.
-    torque : float
-        Torque T_j, N*m, > 0.
-    stiffness : float
-        Stiffness k of a pair along the line of action, N/m, > 0.
-
-    Returns
-    -------
-    SharedTorque
-
-    Raises
-    ------
-    InvalidInput
-        If the torque or the stiffness is not positive.
+    torque, stiffness : float, T_j, N*m, and k along the line of action, N/m, > 0
     """
     check_positive(torque=torque, stiffness=stiffness)
     order = found.onset.argsort(axis=1)
@@ -190,29 +166,16 @@ def shared_torque(*, found: Touching, torque: float, stiffness: float) -> Shared
 def pairs_that_carry(
     *, pair: InvolutePair, torque: float, contact_length: float, stiffness: float | None = None
 ) -> PairsThatCarry:
-    """How many pairs of perfect teeth carry over a pitch, and the most that one of them does.
+    """Numbers of pairs of perfect teeth that carry over a pitch, and the largest share of one pair.
+
+    Raises ImpossibleMechanism if the teeth interfere or touch where they are not involutes.
 
     Parameters
     ----------
     pair : InvolutePair
-        The teeth.
-    torque : float
-        Torque T_j of the satellite, N*m, > 0.
-    contact_length : float
-        Width b, m, > 0.
-    stiffness : float, optional
-        Stiffness k of a pair, N/m; `PAIR_STIFFNESS` times the width where it is not given.
-
-    Returns
-    -------
-    PairsThatCarry
-
-    Raises
-    ------
-    InvalidInput
-        If torque, width or stiffness are not positive.
-    ImpossibleMechanism
-        If the teeth run into each other, or touch where they are no involutes.
+    torque : float, T_j of the planet, N*m, > 0
+    contact_length : float, width b, m, > 0
+    stiffness : float, optional, k of a pair, N/m; by default `PAIR_STIFFNESS` times the width
     """
     if not pair.on_involutes:
         raise ImpossibleMechanism("teeth_interfere")

@@ -1,7 +1,7 @@
-"""Load sharing of a ring of pins on cycloid discs, with modification, errors and elasticity.
+"""Load sharing of ring pins on cycloid discs, with modification, errors and elasticity.
 
-Every disc is rigid and held by its crank. The one unknown is the lag of its teeth behind their
-ideal angle; `core.drive.engine` finds it.
+Every disc is rigid and held by its eccentric. The one unknown is the lag of its teeth behind their
+ideal angle, which `core.drive.engine` finds.
 """
 
 import math
@@ -38,50 +38,35 @@ from core.ring.drives import ring_drive
 from core.ring.profile import CycloidDisc, Modification
 
 DEPTHS = 0.5, 2.0
-"""Reference depths over the pin's radius within which a half-space stands for a disc."""
+"""Range of reference depth over ring pin radius in which a half-space stands for a disc."""
 
 USUAL_SHORTENING = 0.35, 0.9
-"""Shortening coefficients of most drives."""
+"""Usual range of the shortening coefficient K1."""
 
 LOOKED_PRESSING = 180
-"""Positions of the turn at which is looked for what presses most, then between two of them."""
+"""Number of positions of the first search for the largest interference; a finer one follows."""
 
 NORMALS = 2e-3
-"""Error of forces along a crank, over those across, by the normals of perfect parts: discs that lag
-by 1.8 minutes under 1200 MPa had 1.6e-3."""
+"""Error of forces along the eccentric over forces across it, because normals are those of perfect
+parts. Discs with 1.8 arc minutes of lag under 1200 MPa had 1.6e-3."""
 
 
 @dataclass(frozen=True, slots=True)
 class RingDeviations:
-    """What a ring and its discs deviate from their nominal sizes; empty tuples are zeros.
+    """Deviations of a ring with z_p pins and K discs from nominal; empty tuples are zeros.
 
-    Positive: outward, as the output turns, larger, ahead. z_p pins, K discs.
+    Positive is outward, in the direction of the output's rotation, larger, or ahead.
     """
 
     pin_radial: tuple[float, ...] = ()  # place of each ring pin, m, z_p values
-    pin_tangential: tuple[float, ...] = ()  # m, z_p
-    pin_radius: tuple[float, ...] = ()  # m, z_p
-    eccentricity: tuple[float, ...] = ()  # of each crank, m, K
-    crank_phase: tuple[float, ...] = ()  # angle of each crank, rad, K
-    disc_phase: tuple[float, ...] = ()  # of each disc's holes against its teeth, rad, K
+    pin_tangential: tuple[float, ...] = ()  # m, z_p values
+    pin_radius: tuple[float, ...] = ()  # m, z_p values
+    eccentricity: tuple[float, ...] = ()  # one for each crank, m, K values
+    crank_phase: tuple[float, ...] = ()  # angle of each crank, rad, K values
+    disc_phase: tuple[float, ...] = ()  # angle of each disc's holes to its teeth, rad, K values
 
     def each(self, *, pins: int, satellites: int) -> tuple[list[float], ...]:
-        """Its lists, zeros where none are given.
-
-        Parameters
-        ----------
-        pins, satellites : int
-            Numbers z_p and K.
-
-        Returns
-        -------
-        tuple of list
-
-        Raises
-        ------
-        InvalidInput
-            If a list has another length, or an entry is not finite.
-        """
+        """All deviations as lists filled with zeros; InvalidInput for a wrong length or entry."""
         found = []
         for index, name in enumerate(self.__slots__):
             values, expected = getattr(self, name), pins if index < 3 else satellites
@@ -95,19 +80,19 @@ class RingDeviations:
 
 @dataclass(frozen=True)
 class CycloidMesh(Stage):
-    """Cycloid discs on a ring of pins, as they are made."""
+    """Cycloid discs on a ring of pins as they are made."""
 
-    disc: CycloidDisc  # all discs
+    disc: CycloidDisc  # nominal size of all discs
     crank_angles: tuple[float, ...]  # alpha_j of the K discs, rad
     contact_length: float  # b of a disc on a pin, m, > 0
-    law: ContactLaw  # of contact of each pair
-    pin_material: ElasticMaterial  # of the ring's pins
-    disc_material: ElasticMaterial  # of the discs
-    pin: Pins = RIGID_PINS  # how ring pins bend; not at all in their seats
-    seat_stiffness: float = math.inf  # of a pin in its bore and what holds that, N/m
-    deviations: RingDeviations = field(default_factory=RingDeviations)  # of this piece
-    exact: bool = True  # geometry; else first order in lag and deviations
-    # Given shares of the torque; of rigid satellites all discs have one lag. Nothing else gives.
+    law: ContactLaw  # contact law of each pair
+    pin_material: ElasticMaterial  # material of the ring pins
+    disc_material: ElasticMaterial  # material of the discs
+    pin: Pins = RIGID_PINS  # bending of ring pins held at both ends; none by default
+    seat_stiffness: float = math.inf  # radial stiffness of a pin in its bore and the housing, N/m
+    deviations: RingDeviations = field(default_factory=RingDeviations)  # real deviations
+    exact: bool = True  # false: geometry in first order of lag and deviations
+    # Given shares of the torque, or rigid: then all discs have one lag. No other kind is accepted.
     support: SatelliteSupport = RIGID_SUPPORT
 
     kind = engine.LOBE
@@ -131,12 +116,12 @@ class CycloidMesh(Stage):
 
     @cached_property
     def mechanism(self) -> Mechanism:  # type: ignore[override] # not set
-        """The ring's pins and the cranks: the wave of their forces turns with the crank."""
+        """Ring pins and cranks as a mechanism whose wave of forces turns with the crank."""
         return Mechanism(self.disc.pins, self.crank_angles, math.inf)
 
     @property
     def perfect(self) -> "CycloidMesh":
-        """The same of perfect rigid parts, contacts linear."""
+        """Mesh of perfect rigid parts with linear contacts."""
         return replace(
             self,
             disc=replace(self.disc, modification=Modification()),
@@ -150,38 +135,36 @@ class CycloidMesh(Stage):
 
     @property
     def eccentricity(self) -> float:
-        """E of the cranks, m."""
+        """Eccentricity e of the cranks, m."""
         return self.disc.eccentricity
 
     @property
     def dead_angles(self) -> tuple[float, ...]:
-        """Angles from the crank at which a pin takes up, leaves, or has its longest lever, rad."""
+        """Angles from the crank where a pin gains or loses contact or its lever is longest, rad."""
         longest = math.acos(self.disc.shortening_coefficient)
         return 0.0, math.pi, longest, -longest
 
     @property
     def pins_alike(self) -> bool:
-        """Whether all pins are alike."""
+        """True if no ring pin has a deviation."""
         own = self.deviations
         return not any(map(any, (own.pin_radial, own.pin_tangential, own.pin_radius)))
 
     @property
     def reference_depth(self) -> float:
-        """Depth to which the approach of pin and disc is counted, m: the pin's radius, where the
-        law has none.
-        """
+        """Depth over which the approach of pin and disc counts, m; by default the pin radius."""
         radius = self.disc.ring_pin_radius
         return float(self.law.depth(radius) if isinstance(self.law, HertzLaw) else radius)
 
     @property
     def compliance(self) -> list[float]:
-        """Of a ring pin at each disc, m/N: of its seat, and of its bending."""
+        """Compliance of a ring pin at each disc by its seat and its bending, m/N."""
         seat = 1 / self.seat_stiffness
         return [each + seat for each in self.pin.bending(len(self.crank_angles))]
 
     @property
     def law_constants(self) -> Law:
-        """Constants of the law, of which each pair's are made."""
+        """Constants of the contact law from which those of each pair are made."""
         return law_constants(
             law=self.law,
             contact_length=self.contact_length,
@@ -192,12 +175,12 @@ class CycloidMesh(Stage):
 
     @cached_property
     def drive(self) -> Pieces:
-        """The ring and its discs as the engine takes them."""
+        """Ring and discs as the engine takes them."""
         self._refuse_no_radius()
         return ring_drive(self)
 
     def _refuse_no_radius(self) -> None:
-        """Refuse pins and cranks without a size."""
+        """Raise ImpossibleMechanism if a pin radius or an eccentricity as made is not positive."""
         own, count = self.deviations, len(self.crank_angles)
         pins = np.array(own.pin_radius or (0.0,) * self.disc.pins) + self.disc.ring_pin_radius
         cranks = np.array(own.eccentricity or (0.0,) * count) + self.eccentricity
@@ -214,64 +197,29 @@ class CycloidMesh(Stage):
 
     @property
     def pin_radii(self) -> FloatArray:
-        """Radius of each pin of the ring, m."""
+        """Radius of each ring pin with its deviation, m."""
         errors = self.deviations.pin_radius or (0.0,) * self.disc.pins
         return self.disc.ring_pin_radius + np.array(errors)
 
     def pressing_at(self, psi: float) -> float:
-        """Smallest possible worst approach without load, m; below 0 where pairs are free.
-
-        Parameters
-        ----------
-        psi : float
-            Crank angle, rad.
+        """Interference without load at a crank angle (rad), m: the largest approach of any pair at
+        the lag where that is least; below 0 if pairs are free.
         """
         return float(self.unloaded(np.array([psi]), least=True)[0, engine.INTERFERENCE])
 
     def with_thinner_pins(self, closer: float) -> "CycloidMesh":
-        """The same with all pins of the ring so much thinner.
-
-        Parameters
-        ----------
-        closer : float
-            By how much, m.
-
-        Returns
-        -------
-        CycloidMesh
-        """
+        """Mesh with all ring pin radii smaller by a length in m."""
         own = self.deviations
         thinner = tuple(each - closer for each in own.pin_radius or (0.0,) * self.disc.pins)
         return replace(self, deviations=replace(own, pin_radius=thinner))
 
     def pressure(self, force_over_radius: float) -> float:
-        """Largest Hertz pressure by a force over the reduced radius.
-
-        Parameters
-        ----------
-        force_over_radius : float
-            In N/m.
-
-        Returns
-        -------
-        float
-            In Pa.
-        """
+        """Largest Hertz pressure in Pa from a force over the reduced radius in N/m."""
         modulus = effective_modulus(first=self.pin_material, second=self.disc_material)
         return math.sqrt(force_over_radius * modulus / (math.pi * self.contact_length))
 
     def notices(self, *, pressed: bool) -> tuple[Notice, ...]:
-        """Limits that the mesh strains.
-
-        Parameters
-        ----------
-        pressed : bool
-            Whether pairs press without load.
-
-        Returns
-        -------
-        tuple of Notice
-        """
+        """Notices on limits that the mesh strains; ``pressed``: pairs press without load."""
         found = [Notice("pressed_without_load")] if pressed else []
         low, high = USUAL_SHORTENING
         if not low <= self.disc.shortening_coefficient <= high:
@@ -286,59 +234,45 @@ class CycloidMesh(Stage):
 
 @dataclass(frozen=True, slots=True)
 class MeshPosition:
-    """A cycloid mesh at one crank angle under load."""
+    """Cycloid mesh at one crank angle under load."""
 
-    crank_angle: float  # as asked, rad
-    # Lag of each disc's teeth behind their ideal angle, less what its deviations make of it: that
-    # of the output, where it is rigid; rad, K values, negative in reverse.
+    crank_angle: float  # given crank angle, rad
+    # Angular deflection of each disc's teeth behind their ideal angle without the part that its
+    # deviations make, rad, K values, negative in reverse; equal to that of a rigid output.
     rotation: tuple[float, ...]
-    # Of each pair, N, K x z_p; the larger one of a pin that presses both flanks of a valley.
+    # Contact force of each pair, N, K x z_p; if a pin presses both flanks of a valley, the larger.
     force: tuple[tuple[float, ...], ...]
-    disc_torque: tuple[float, ...]  # of the forces about each disc's centre, N*m, K values
-    crank_across: tuple[float, ...]  # force of the ring on each disc against the crank, N, K values
-    crank_along: tuple[float, ...]  # and along it, to the axis, N, K values
+    disc_torque: tuple[float, ...]  # torque of the forces about each disc's centre, N*m, K values
+    # Force of the ring on each disc across the crank, against its turning, N, K values.
+    crank_across: tuple[float, ...]
+    crank_along: tuple[float, ...]  # force along the crank, to the axis, N, K values
     loaded_pairs: int  # number of pairs with a force
-    # Least and largest lag without load, rad; None where pairs press without load.
+    # Least and largest lag without load, rad; None if pairs press without load.
     play: tuple[float, float] | None
-    # Smallest possible worst approach of the unloaded pairs, m, where they press.
+    # Interference without load, m, as `CycloidMesh.pressing_at`; None if pairs are free.
     interference: float | None
     stiffness: float  # dT/dtheta, N*m/rad
     max_pressure: float  # largest Hertz pressure, Pa
-    # Largest distance of a loaded contact from its pitch point, m: times the speed of the output
-    # that at which a disc slides on a pin that stands still.
+    # Largest distance of a loaded contact from its pitch point, m. A disc slides on a fixed pin at
+    # this distance times the speed of the output.
     sliding_distance: float
-    sliding_loss: float  # sum of force times that distance over the torque
-    accuracy: Accuracy  # of the forces, over the largest
+    sliding_loss: float  # sum of force times sliding distance over the torque
+    accuracy: Accuracy  # error of the forces over the largest force
     notices: tuple[Notice, ...]
 
 
 def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float) -> MeshPosition:
-    """Forces of all pairs, lag, play and stiffness at one crank angle.
+    """Forces of all pairs, angular deflection, backlash and stiffness at one crank angle.
+
+    Friction, speed, tilting and edge load, deformation of discs and ring, clearance and compliance
+    of the eccentric's bearings, and errors of single lobes are left out. Raises ImpossibleMechanism
+    if there is no stable equilibrium, see `Stage.solved`.
 
     Parameters
     ----------
     mesh : CycloidMesh
-        The mesh.
-    crank_angle : float
-        Crank angle, rad.
-    output_torque : float
-        Torque T of all discs, N*m, not 0; negative in reverse.
-
-    Returns
-    -------
-    MeshPosition
-
-    Raises
-    ------
-    InvalidInput
-        If an input is out of range.
-    ImpossibleMechanism
-        See `Stage.solved`.
-
-    Notes
-    -----
-    Left out: friction, speed, tilting and edge load, deformation of discs and ring, clearance and
-    compliance of the crank's bearings, errors of single lobes.
+    crank_angle : float, rad
+    output_torque : float, T of all discs, N*m, not 0; negative in reverse
 
     Examples
     --------
@@ -348,9 +282,8 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     >>> disc = CycloidDisc(satellite_teeth=29, eccentricity=1.250025e-3,
     ...                    ring_pin_circle_radius=0.0525, ring_pin_radius=3.5e-3)
     >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.0135,
-    ...                    law=LinearLaw(1e8), exact=False,
-    ...     pin_material=steel, disc_material=steel)
+    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.0135, exact=False,
+    ...                    law=LinearLaw(1e8), pin_material=steel, disc_material=steel)
     >>> found = mesh_position(mesh=mesh, crank_angle=0.0, output_torque=58.0)
     >>> round(found.crank_across[0], 6), round(max(found.force[0]), 6)
     (1599.968001, 212.944548)
@@ -390,21 +323,13 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
 def mesh_gaps(
     *, mesh: CycloidMesh, crank_angle: float, rotation: tuple[float, ...] = ()
 ) -> tuple[tuple[float, ...], ...]:
-    """Gaps of all pairs where the discs lag by so much: negative where they press.
+    """Gaps of all pairs where the discs have given lags, m, K x z_p; negative if a pair presses.
 
     Parameters
     ----------
     mesh : CycloidMesh
-        The mesh.
-    crank_angle : float
-        Crank angle, rad.
-    rotation : tuple of float, K, optional
-        Lag of each disc, rad, negative in reverse; none where it is not given.
-
-    Returns
-    -------
-    tuple of tuple of float, K x z_p
-        In m.
+    crank_angle : float, rad
+    rotation : tuple of float, lag of each disc, rad, K values, negative in reverse; 0 by default
 
     Examples
     --------
@@ -415,8 +340,7 @@ def mesh_gaps(
     ...                    modification=Modification(equidistant=2e-5))
     >>> steel = ElasticMaterial(210e9, 0.3)
     >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(1e8),
-    ...     pin_material=steel, disc_material=steel)
+    ...                    law=LinearLaw(1e8), pin_material=steel, disc_material=steel)
     >>> {round(gap, 12) for row in mesh_gaps(mesh=mesh, crank_angle=0.3) for gap in row}
     {2e-05}
     """
@@ -430,17 +354,11 @@ def mesh_gaps(
 
 
 class MeshTurn(OverTurn):
-    """Extremes of a cycloid mesh over the turn of the crank, each looked for when it is asked for.
-
-    Parameters
-    ----------
-    turn : Turn
-        The mesh under a torque.
-    """
+    """Extremes of a cycloid mesh under a torque over a turn of the crank, found on demand."""
 
     @property
     def mesh(self) -> CycloidMesh:
-        """The mesh."""
+        """Mesh as it is made."""
         found: CycloidMesh = self.turn.real
         return found
 
@@ -451,7 +369,7 @@ class MeshTurn(OverTurn):
 
     @derived
     def hardest_place(self) -> tuple[PairNumber, float]:
-        """The pair with that pressure, and the crank angle at which it has it, rad."""
+        """Pair with the largest Hertz pressure, and the crank angle at which it occurs, rad."""
         place, turn = self._pressed.place, self.turn
         room = self.mesh.solved([place], turn.torque)
         pairs = room.contacts(engine.LOBE)
@@ -461,34 +379,22 @@ class MeshTurn(OverTurn):
 
     @property
     def _period(self) -> float:
-        """Of the crank angles that are answered, rad."""
+        """Range of the crank angles in answers, rad."""
         return 2 * math.pi
 
     def forces_at(self, crank_angle: float) -> FloatArray:
-        """Forces of all pairs at a crank angle, N.
-
-        Parameters
-        ----------
-        crank_angle : float
-            The angle, rad.
-
-        Returns
-        -------
-        array, shape (K, z_p)
-        """
+        """Forces of all pairs at a crank angle (rad), N, shape (K, z_p)."""
         forces: FloatArray = self.turn.poses([crank_angle])["forces"]
         return forces.reshape(-1, self.mesh.disc.pins)
 
     @property
     def play_in_ring(self) -> float:
-        """Largest play of the unloaded discs in the ring, rad."""
+        """Largest backlash of the unloaded discs in the ring, rad."""
         return self.backlash_max
 
     @derived
     def interference(self) -> float:
-        """Largest over the turn of the smallest possible worst approach without load, m; 0 where no
-        pairs press anywhere.
-        """
+        """Largest interference without load over the turn, m; 0 if no pair presses anywhere."""
         if not self.pressed_without_load:
             return 0.0
         wave = self.turn.fine["wave"]
@@ -505,66 +411,64 @@ class MeshTurn(OverTurn):
 
     @property
     def peak_force_ratio(self) -> float:
-        """Largest force over that of perfect parts."""
+        """Largest contact force over that of perfect parts."""
         return self.peak_force / self.ideal.peak_force
 
     @property
     def ideal(self) -> "IdealMesh":
-        """The mesh of perfect parts under the same torque."""
+        """Mesh of perfect parts under the torque of one disc."""
         torque = abs(self.turn.torque) / len(self.mesh.crank_angles)
         return ideal_mesh(disc=self.mesh.disc, disc_torque=torque)
 
     @property
     def lag_max(self) -> float:
-        """Largest lag, rad; negative in reverse."""
+        """Largest angular deflection over the turn, rad; negative in reverse."""
         high, low = self.lags
         return high if self.turn.torque > 0 else -low
 
     @property
     def lag_min(self) -> float:
-        """Least lag, rad."""
+        """Least angular deflection over the turn, rad."""
         high, low = self.lags
         return low if self.turn.torque > 0 else -high
 
     @property
     def _across(self) -> float:
-        """Force across the crank of a disc that carries its part, N."""
+        """Force across the crank of a disc that carries an equal share of the torque, N."""
         disc = self.mesh.disc
         each = abs(self.turn.torque) / len(self.mesh.crank_angles)
         return each / (disc.eccentricity * disc.satellite_teeth)
 
     @derived
     def radial_force_ratio_max(self) -> float:
-        """Largest force of a disc along its crank, to the axis, over that across the crank of one
-        that carries its part.
-        """
+        """Largest force of a disc along its crank, to the axis, over that across at equal share."""
         return self._by_values(engine.ALONG_MOST) / self._across
 
     @derived
     def radial_force_ratio_min(self) -> float:
-        """Least of the same."""
+        """Least force of a disc along its crank, to the axis, over that across at equal share."""
         return self._by_values(engine.ALONG_LEAST, -1) / self._across
 
     @property
     def samples(self) -> tuple[FloatArray, FloatArray]:
-        """Crank angles of positions, rad, and the forces of all pairs there, N."""
+        """Crank angles of the solved positions, rad, and the forces of all pairs there, N."""
         return self.turn.fine["wave"], self.turn.fine["forces"]
 
     @property
     def close(self) -> CloseSamples:
-        """Forces of all pairs, sampled as closely as they need."""
+        """Forces of all pairs, sampled closely enough to interpolate."""
         return close_samples(self.turn)
 
     @property
     def even(self) -> IntArray:
-        """Which of these are evenly spaced."""
+        """Indices of the evenly spaced positions in `samples`."""
         places, _ = self.turn.positions()
         return np.searchsorted(self.turn.fine["wave"], places)
 
     @property
     def _even_forces(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Forces of all pairs where these are even, N, the angles of the pins from the cranks, rad,
-        and the distances to the pitch points over the radius of the pins' circle, shape (M, pairs).
+        """Forces of all pairs at even positions, N, angles of the pins from the cranks, rad, and S,
+        distances to the pitch points over the pin circle radius; shape (M, pairs).
         """
         (wave, force), there, disc = self.samples, self.even, self.mesh.disc
         phases = np.array(self.mesh.phases)
@@ -575,9 +479,7 @@ class MeshTurn(OverTurn):
 
     @property
     def mean_radial_force_ratio(self) -> float:
-        """Mean over the turn of the forces of all discs along their cranks, over that of those
-        across them, by the normals of perfect parts.
-        """
+        """Mean forces along the cranks over those across them, with normals of perfect parts."""
         force, angle, slope = self._even_forces
         along = (force * (np.cos(angle) - self.mesh.disc.shortening_coefficient) / slope).sum(1)
         across = abs((force * np.sin(angle) / slope).sum(1).mean())
@@ -585,9 +487,7 @@ class MeshTurn(OverTurn):
 
     @derived
     def sliding_loss(self) -> float:
-        """Mean over the turn of the sum of force times distance to the pitch point, over the
-        torque: the loss over the output for a friction coefficient of 1.
-        """
+        """Loss over output for mu = 1: mean sum of force times distance to pitch point / torque."""
         (force, _, slope), disc = self._even_forces, self.mesh.disc
         far = np.abs(disc.ring_pin_circle_radius * slope - disc.ring_pin_radius)
         return float((force * far).sum(axis=1).mean()) / abs(self.turn.torque)
@@ -599,12 +499,12 @@ class MeshTurn(OverTurn):
 
     @derived
     def hardest_pressed_rub(self) -> float:
-        """Largest product of Hertz pressure and that distance, Pa*m."""
+        """Largest product over the turn of Hertz pressure and distance to the pitch point, Pa*m."""
         return self.mesh.pressure(1.0) * self._by_values(engine.RUB_PRESSED)
 
     @property
     def notices(self) -> tuple[Notice, ...]:
-        """What to know besides."""
+        """Notices on limits that the mesh strains and on poor accuracy."""
         own = self.mesh.notices(pressed=self.pressed_without_load)
         return (*own, *poorly_known(self.accuracy))
 
@@ -614,25 +514,13 @@ def mesh_over_turn(
 ) -> MeshTurn:
     """Peak force, backlash, lost motion, transmission error and stiffness over the turn.
 
+    Raises ImpossibleMechanism if a position has no stable equilibrium, see `Stage.solved`.
+
     Parameters
     ----------
     mesh : CycloidMesh
-        The mesh.
-    output_torque : float
-        Torque T of all discs, N*m, not 0; negative in reverse.
-    lost_motion_share : float
-        Share of the torque under which the lost motion is taken, 0 < share <= 1.
-
-    Returns
-    -------
-    MeshTurn
-
-    Raises
-    ------
-    InvalidInput
-        If an input is out of range.
-    ImpossibleMechanism
-        Where a position cannot be, see `mesh_position`.
+    output_torque : float, T of all discs, N*m, not 0; negative in reverse
+    lost_motion_share : float, share of the torque at which lost motion is measured, > 0, <= 1
 
     Examples
     --------
@@ -642,9 +530,8 @@ def mesh_over_turn(
     ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3,
     ...                    modification=Modification(equidistant=1e-5))
     >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(5e7), exact=False,
-    ...     pin_material=steel, disc_material=steel)
+    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, exact=False,
+    ...                    law=LinearLaw(5e7), pin_material=steel, disc_material=steel)
     >>> round(mesh_over_turn(mesh=mesh, output_torque=30.0).peak_force, 5)
     333.54715
     """
@@ -656,39 +543,31 @@ def mesh_over_turn(
         code, limit = ("greater_than", 0) if lost_motion_share <= 0 else ("less_than_equal", 1)
         raise InvalidInput("lost_motion_share", lost_motion_share, code, limit=limit)
     found = MeshTurn(Turn(mesh, output_torque, lost_motion_share))
-    assert found.turn.coarse  # refuses what cannot be
+    assert found.turn.coarse  # raises for positions without an equilibrium
     return found
 
 
 @dataclass(frozen=True, slots=True)
 class IdealMesh:
-    """A disc of perfect parts on many pins, contacts linear."""
+    """Mesh of a perfect disc on many pins with linear contacts."""
 
     peak_force: float  # largest force of a pin, N
     mean_sum_force: float  # sum of the forces on a disc, mean over the turn, N
-    # Play by the modification alone, rad; None where it jams.
+    # Backlash by the modification alone, rad; None if the modification makes pins press.
     backlash: float | None
 
 
 def ideal_mesh(*, disc: CycloidDisc, disc_torque: float) -> IdealMesh:
-    """Forces and backlash in closed form, for many pins.
+    """Forces and backlash of a perfect disc under its torque T, on many pins, in closed form.
+
+    Levers are ``h = e*z*sin(a)/S``, at most ``e*z`` at ``cos(a) = K1``. Over the half of the pins
+    that carries, the squares of ``sin(a)/S`` sum to z_p/4 for any K1: ``F_max = 4*T/(e*z*z_p)``,
+    ``sum F = 4*T/(pi*e*z)``. The backlash is the least of ``2*g/|h|`` over the angles. Derived.
 
     Parameters
     ----------
     disc : CycloidDisc
-        The disc.
-    disc_torque : float
-        Torque of one disc, N*m, >= 0.
-
-    Returns
-    -------
-    IdealMesh
-
-    Notes
-    -----
-    The sum of the squares of the levers' sines over the slopes is z_p/4 for any K1, and the largest
-    lever is ``e*z``, at ``cos(a) = K1``: ``F_max = 4*T/(e*z*z_p)``, ``sum F = 4*T/(pi*e*z)``. The
-    backlash is the least of ``2*g/|h|`` over the angles. Derived.
+    disc_torque : float, N*m, >= 0
 
     Examples
     --------
@@ -709,7 +588,7 @@ def ideal_mesh(*, disc: CycloidDisc, disc_torque: float) -> IdealMesh:
 
 
 def _ideal_backlash(disc: CycloidDisc) -> float | None:
-    """Backlash of discs whose modification leaves gaps; None where it makes pins press."""
+    """Backlash of a disc from its modification alone, rad; None if that makes pins press."""
     longest, k = disc.eccentricity * disc.satellite_teeth, disc.shortening_coefficient
     wider, circle = disc.modification.equidistant, disc.modification.pin_circle
     root = math.sqrt((1 - k) * (1 + k))

@@ -1,4 +1,4 @@
-"""Profile shifts for teeth of given heights: what keeps the tips apart, and the most contact."""
+"""Profile shifts for involute teeth of given heights that keep tips apart with the most contact."""
 
 import math
 from dataclasses import replace
@@ -14,38 +14,25 @@ from core.ring.line_of_action import LineOfAction, involute
 from core.ring.possible_teeth import USUAL_SHIFTS
 
 STEEPEST = math.radians(75)
-"""Largest operating pressure angle that is tried."""
+"""Largest operating pressure angle that is tried, rad."""
 
 TRIED = 128
-"""How many angles between are."""
+"""Number of operating pressure angles that are tried."""
 
 SHIFT_STEP = 0.01
-"""Of the satellite's profile shifts that are tried."""
+"""Step of the planet's profile shifts that are tried."""
 
 
 def nearest_ring(*, teeth: InvoluteTeeth, room: float = TIPS_APART) -> InvolutePair:
-    """The ring's shift, and the eccentricity without backlash, that leave the tips just so apart.
+    """Ring's profile shift, and eccentricity without backlash, that leave a given gap of the tips.
 
-    The least operating pressure angle of which they are is the largest contact ratio; it is no less
-    than the reference one.
+    The least operating pressure angle with this gap is taken, as it has the largest contact ratio;
+    it is at least the reference pressure angle. Raises NotKnown if no angle to `STEEPEST` does.
 
     Parameters
     ----------
-    teeth : InvoluteTeeth
-        The teeth, whose ring's profile shift is not looked at.
-    room : float
-        Interference G of the tips that is to be left.
-
-    Returns
-    -------
-    InvolutePair
-
-    Raises
-    ------
-    NotKnown
-        If no angle up to `STEEPEST` leaves so much.
-    InvalidInput
-        If a satellite's tip lies within its base circle.
+    teeth : InvoluteTeeth, whose ring's profile shift is not used
+    room : float, interference G of the tips that has to remain
 
     Examples
     --------
@@ -69,7 +56,7 @@ def nearest_ring(*, teeth: InvoluteTeeth, room: float = TIPS_APART) -> InvoluteP
         try:
             return float(at(angle).crossing.interference) - room
         except InvalidInput as why:
-            if why.parameter == "ring_addendum":  # its tip lies within its base circle
+            if why.parameter == "ring_addendum":  # the ring's tip lies within its base circle
                 return math.nan
             raise
 
@@ -86,29 +73,15 @@ def nearest_ring(*, teeth: InvoluteTeeth, room: float = TIPS_APART) -> InvoluteP
 def shifts_at(
     *, teeth: InvoluteTeeth, eccentricity: float, room: float = TIPS_APART
 ) -> InvoluteTeeth:
-    """Shifts of both, usual ones, with the largest contact ratio at an eccentricity.
+    """Teeth with usual profile shifts, without backlash, with the largest contact ratio at an
+    eccentricity; tips stay apart, the path lies on involutes, and no tooth is pointed.
 
-    Without backlash; tips stay apart, the path is one of involutes, no tooth is pointed.
+    Raises NotKnown if no usual shifts do, InvalidInput if base circles leave no room for e.
 
     Parameters
     ----------
-    teeth : InvoluteTeeth
-        The teeth, whose profile shifts are not looked at.
-    eccentricity : float
-        Eccentricity e, m.
-    room : float
-        Interference G of the tips that is to be left.
-
-    Returns
-    -------
-    InvoluteTeeth
-
-    Raises
-    ------
-    NotKnown
-        If there are none.
-    InvalidInput
-        If the base circles do not leave room for the eccentricity.
+    teeth : InvoluteTeeth, whose profile shifts are not used
+    eccentricity, room : float, m, and interference G of the tips that has to remain
     """
     line = LineOfAction.of(
         satellite_teeth=teeth.satellite_teeth,
@@ -125,7 +98,7 @@ def shifts_at(
         )
         try:
             pair = involute_pair(teeth=shifted, eccentricity=eccentricity)
-        except InvalidInput:  # a tip within its base circle
+        except InvalidInput:  # a tip lies within its base circle
             continue
         blunt = min(pair.satellite_tip_thickness, pair.ring_tip_thickness) > 0
         if pair.tips_apart(room) and blunt and pair.on_involutes:

@@ -1,9 +1,9 @@
-"""Outlines of involute teeth: of a satellite as its hob leaves it, of a ring as its shaper does.
+"""Outlines of involute teeth: of a planet as its hob makes it, of a ring as its cutter does.
 
-The satellite's root is what the round tip of the rack leaves: that circle's centre lies d below the
-pitch line of rack and satellite, and the normal of what it leaves passes through the pitch point.
-That of a ring is the path of the sharp corner of its cutter; without one flanks go on to the
-assumed root circle. All is counted from the middle of a space, which is up, clockwise.
+The root fillet of the planet is left by the round tip of the rack: the centre of that round lies d
+below the pitch line of rack and planet, and the normal of the fillet passes through the pitch
+point. The fillet of the ring is the path of the sharp corner of its cutter; without a cutter the
+flanks go on to the assumed root circle. Angles count clockwise from the middle of a space, up.
 """
 
 import math
@@ -20,10 +20,10 @@ from core.ring.line_of_action import involute, roll
 from core.ring.profile import MOST_POINTS
 
 INNER = 16
-"""Places between two points of a curve at which it is looked how far it is from their chord."""
+"""Number of places between two points of a curve at which its distance from the chord is taken."""
 
 BETWEEN = 1.02
-"""What the curve may be farther between these."""
+"""Allowance for a larger distance between the `INNER` places."""
 
 Curve = Callable[[FloatArray], ComplexArray]
 """Points of a curve at values of its parameter."""
@@ -31,15 +31,15 @@ Curve = Callable[[FloatArray], ComplexArray]
 
 @dataclass(frozen=True, slots=True)
 class ToothOutline:
-    """A pitch of a body: half a space, a tooth, half a space. All others are the same."""
+    """One pitch of a body: half a space, a tooth, half a space; all pitches are equal."""
 
-    points: FloatArray  # about its axis, m, from the middle of a space, up, clockwise, shape (n, 2)
-    teeth: int  # how many pitches it has
-    chord_error: float  # how far the outline is from the polygon of its points at most, m
+    points: FloatArray  # clockwise about the axis from the middle of a space, up, m, shape (n, 2)
+    teeth: int  # number of pitches
+    chord_error: float  # largest distance of the outline from the polygon of the points, m
 
     @property
     def whole(self) -> ComplexArray:
-        """Points of all pitches as complex numbers, x + i*y, m."""
+        """Points x + i*y of all pitches, m."""
         pitch = self.points @ np.array([1, 1j])
         turned = np.exp(-2j * math.pi * np.arange(self.teeth) / self.teeth)
         found: ComplexArray = (turned[:, None] * pitch).ravel()
@@ -49,27 +49,16 @@ class ToothOutline:
 def satellite_outline(
     *, pair: InvolutePair, chord_error: float, most: int = MOST_POINTS
 ) -> ToothOutline:
-    """A tooth of an involute satellite, with the fillets of its hob.
+    """One tooth of an involute planet with the fillets of its hob.
+
+    Raises InvalidInput if the chord error needs more points, ImpossibleMechanism if the hob cuts
+    away a part of the involute or the teeth are pointed below their tips.
 
     Parameters
     ----------
     pair : InvolutePair
-        Satellite and ring.
-    chord_error : float
-        How far the outline may be from the polygon, m, > 0.
-    most : int
-        Most points of all teeth.
-
-    Returns
-    -------
-    ToothOutline
-
-    Raises
-    ------
-    InvalidInput
-        If the chord error is not positive, or asks for more points.
-    ImpossibleMechanism
-        If the hob cuts away a part of the involute, or the teeth are pointed below their tips.
+    chord_error : float, largest distance of the outline from the polygon, m, > 0
+    most : int, largest number of points of all teeth
 
     Examples
     --------
@@ -107,28 +96,17 @@ def satellite_outline(
 def ring_outline(
     *, pair: InvolutePair, chord_error: float, most: int = MOST_POINTS
 ) -> ToothOutline:
-    """A tooth of an involute ring between halves of its spaces, with the fillets of its cutter,
-    where it is known.
+    """One tooth of an involute ring between half spaces, with the fillets of its cutter if given.
+
+    Raises InvalidInput if the chord error needs more points, ImpossibleMechanism if the teeth are
+    pointed below their tips, spaces above their roots, or the cutter is pointed or leaves no
+    involute.
 
     Parameters
     ----------
     pair : InvolutePair
-        Satellite and ring.
-    chord_error : float
-        How far the outline may be from the polygon, m, > 0.
-    most : int
-        Most points of all teeth.
-
-    Returns
-    -------
-    ToothOutline
-
-    Raises
-    ------
-    InvalidInput
-        As `satellite_outline`.
-    ImpossibleMechanism
-        If the teeth are pointed below their tips, or the spaces above their roots.
+    chord_error : float, largest distance of the outline from the polygon, m, > 0
+    most : int, largest number of points of all teeth
     """
     teeth, base = pair.teeth, pair.line.ring_base
     low = float(roll(teeth.ring_tip, base=base))
@@ -149,8 +127,8 @@ def ring_outline(
 
 
 def _flank(*, base: float, half: float, way: int) -> Curve:
-    """An involute by its roll angles: clockwise from the middle of a space, at the base circle by
-    ``half``, growing with the involute function of a tooth (1), falling with that of a space (-1).
+    """Involute by roll angles, from a clockwise angle ``half`` at the base circle; ``way`` is 1 for
+    the flank of a tooth, -1 for that of a space.
     """
 
     def at(tau: FloatArray) -> ComplexArray:
@@ -161,7 +139,7 @@ def _flank(*, base: float, half: float, way: int) -> Curve:
 
 
 def _hob_fillet(teeth: InvoluteTeeth) -> Curve:
-    """What the round tip of a rack leaves, by the angle of its normal from straight down."""
+    """Fillet that the round tip of a rack leaves, by the angle of its normal from straight down."""
     rack, module, pitch = teeth.rack, teeth.module, teeth.module * teeth.satellite_teeth / 2
     alpha, round_tip = rack.pressure_angle, rack.tip_radius
     below = rack.dedendum - round_tip
@@ -179,8 +157,8 @@ def _hob_fillet(teeth: InvoluteTeeth) -> Curve:
 def _cutter_corner(
     teeth: InvoluteTeeth, cutter: Cutter, ring_root: float
 ) -> tuple[Curve, float, bool]:
-    """Path of the corner of a shaper cutter, by the angle from the line of centres to it; that
-    angle where it meets the flank, and whether the cutter's own teeth are not pointed.
+    """Path of the corner of a shaper cutter by the angle from the line of centres; angle where the
+    path meets the flank; True if the cutter's teeth are not pointed.
     """
     alpha, shift = teeth.rack.pressure_angle, cutter.profile_shift
     tip = teeth.module * (cutter.teeth / 2 + shift + cutter.addendum)
@@ -205,7 +183,7 @@ def _pitch(
     most: int,
     curves: tuple[tuple[Curve, float, float], ...],
 ) -> ToothOutline:
-    """A pitch of curves from a root circle to a tip circle, which arcs join, and their mirror."""
+    """One pitch from curves between root and tip circle, joined by arcs, and their mirror."""
     check_single(chord_error=chord_error)
     check_positive(chord_error=chord_error)
     half = math.pi / teeth
@@ -228,8 +206,8 @@ def _pitch(
     error = max(error for _, error in found)
     if error > chord_error:
         raise InvalidInput("chord_error", chord_error, "greater_than_equal", limit=error)
-    up = np.concatenate([points[:-1] for points, _ in found])  # but the middle of the tooth
-    axis = 1j * np.exp(-1j * half)  # of the tooth, which is its own mirror
+    up = np.concatenate([points[:-1] for points, _ in found])  # without the middle of the tooth
+    axis = 1j * np.exp(-1j * half)  # axis of symmetry of the tooth
     points = np.concatenate((up, [abs(last) * axis], np.conj(up[:0:-1] / axis) * axis))
     return ToothOutline(
         points=np.column_stack((points.real, points.imag)),
@@ -244,15 +222,15 @@ def _clockwise(point: complex) -> float:
 
 
 def _arc(radius: float) -> Curve:
-    """A circle about the axis, by the angle from straight up, clockwise."""
+    """Circle about the axis, by the angle from straight up, clockwise."""
     return lambda turned: np.asarray(1j * radius * np.exp(-1j * turned))
 
 
 def _sampled(
     curve: Curve, start: float, end: float, chord_error: float, most: int
 ) -> tuple[ComplexArray, float]:
-    """Points of a curve, even in its parameter and so close, and how far it is from their chords:
-    farther than was asked where that takes more than most pieces.
+    """Points of a curve, even in its parameter, and the largest distance from their chords, m,
+    which exceeds ``chord_error`` if ``most`` pieces are too few.
     """
     count = 1
     while True:

@@ -1,4 +1,4 @@
-"""Curves of swinging rollers through one design: what a figure shows beside it."""
+"""Curves of swinging rollers through one design, as figures show them."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -17,41 +17,28 @@ from core.rollers.roller_strength import (
 )
 
 SAMPLES = 121
-"""Places on each curve."""
+"""Number of points on each curve."""
 
 
 @dataclass(frozen=True, slots=True)
 class RollerCurves:
-    """Curves through a design."""
+    """Curves of swinging rollers through a design."""
 
-    design: RollerStrength  # the design itself
-    limit: float  # delta from which on one roller carries everything
+    design: RollerStrength  # results of the design itself
+    limit: float  # relative position error delta above which one roller carries everything
     length_ratio: FloatArray  # l/d, shape (n,)
-    relative_stiffness: FloatArray  # c/(b*E) over it, shape (n,)
+    relative_stiffness: FloatArray  # c/(b*E) over l/d, shape (n,)
     position_error: FloatArray  # delta, shape (n,)
-    nonuniformity: dict[int, FloatArray]  # Psi over delta by the number of rollers
-    # Bending stress over l/d, Pa, by the position tolerance, m, or by the factor of the gaps.
+    nonuniformity: dict[int, FloatArray]  # Psi over delta, by the number of rollers
+    # Bending stress over l/d, Pa, by the position tolerance, m, or by a factor on the gaps.
     stress: dict[float, FloatArray]
-    # Whether the stress is by the factor of the design's own gaps: where these are given and
-    # differ.
+    # True if the keys of `stress` are factors on the given gaps, which then differ.
     scales_gaps: bool
 
 
 def roller_curves(**design: Any) -> RollerCurves:
-    """Curves of stiffness, non-uniformity and stress through a design.
-
-    Parameters
-    ----------
-    **design
-        What `roller_strength` takes, of one design.
-
-    Returns
-    -------
-    RollerCurves
-
-    Notes
-    -----
-    Source: Ovsyannikov et al. 2019, their figs 4, 5 and 6, with the sizes of the design.
+    """Curves of stiffness, load-sharing factor and stress through a design (arguments of
+    `roller_strength`), as figs 4, 5 and 6 of Ovsyannikov et al. 2019.
     """
     found = roller_strength(**design)
     rollers, diameter = design["rollers"], design["diameter"]

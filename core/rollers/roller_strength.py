@@ -1,8 +1,8 @@
 """Swinging rollers of the output mechanism: stiffness, load sharing and bending stress.
 
-A roller has a sphere in the middle, in the disc, and one at each end, in the satellites, joined
-by two cylinders. Each half is a cantilever of length l, clamped at the middle sphere; the satellite
-presses on the end sphere, b/2 beyond the cylinder, and its friction turns the end.
+A roller has a sphere in the middle, in the disc, and a sphere at each end, in the satellites; two
+cylinders join the spheres. Each half is a cantilever of length l, clamped at the middle sphere. The
+satellite presses on the end sphere, b/2 beyond the cylinder, and its friction turns the end.
 """
 
 import math
@@ -18,7 +18,7 @@ from core.load_sharing import share_load
 from core.precision import ROUNDING
 
 SHEAR_FACTOR = 1.11
-"""Uneven shear over a round section, the source's rounding of 10/9."""
+"""Shear factor of a round section, which the source rounds from 10/9."""
 
 SHORT_ROLLER = 1.0
 """Length over diameter below which the shear and the clamping outweigh beam bending."""
@@ -29,59 +29,42 @@ LARGE_DEFLECTION = 0.1
 
 @dataclass(frozen=True, slots=True)
 class PositionTolerance:
-    """Tolerance chi of the holes' positions: the source's worst case has one roller ahead of the
-    others by ``4*chi``.
-    """
+    """Tolerance chi of hole positions; in the worst case one roller is ahead by ``4*chi``."""
 
     tolerance: Number  # chi, m, >= 0
 
     def gaps(self, rollers: int) -> Sequence[Number]:
-        """Gap of each roller, m.
-
-        Parameters
-        ----------
-        rollers : int
-            Number n of rollers.
-
-        Returns
-        -------
-        sequence of float or array
-            n gaps.
-
-        Notes
-        -----
-        Source: Ovsyannikov et al. 2019, before eq. (5).
-        """
+        """Gap of each roller in the worst case, m (Ovsyannikov et al. 2019, before eq. (5))."""
         check_not_negative(position_tolerance=self.tolerance)
         return [0.0] + [4 * self.tolerance] * (rollers - 1)
 
     def relative_error(self, *, stiffness: Number, mean_force: Number) -> Number:
-        """``delta = c*chi/F_avg``."""
+        """Relative position error ``delta = c*chi/F_avg``."""
         return stiffness * self.tolerance / mean_force
 
 
 @dataclass(frozen=True, slots=True)
 class GivenGaps:
-    """Gaps of the rollers, as they are measured."""
+    """Measured gaps of the rollers."""
 
-    each: Sequence[Number]  # g_i of each, m; only differences matter
+    each: Sequence[Number]  # gap g_i of each roller, m; only differences matter
 
     def gaps(self, rollers: int) -> Sequence[Number]:
-        """Gap of each roller, m; refused where there is not one for each."""
+        """Gap of each roller, m; InvalidInput is raised if there is not one for each."""
         if len(self.each) != rollers:
             count = {"expected": rollers, "actual": len(self.each)}
             raise InvalidInput("gaps", self.each, "different_length", **count)
         return self.each
 
     def relative_error(self, *, stiffness: Number, mean_force: Number) -> Number:
-        """delta of the tolerance with the same mean gap."""
+        """Relative position error delta of the tolerance with an equal mean gap."""
         first = ascending(self.each)[0]
         spread = sum([gap - first for gap in self.each])
         return stiffness * spread / (4 * max(len(self.each) - 1, 1)) / mean_force
 
 
 Spacing = PositionTolerance | GivenGaps
-"""How far the rollers' holes are off."""
+"""Position errors of the rollers' holes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,50 +74,35 @@ class ByPoissonsRatio:
     poissons_ratio: Number  # mu
 
     def modulus_ratio(self, youngs_modulus: Number) -> Number:
-        """``E/G = 2*(1 + mu)``."""
+        """Ratio of moduli ``E/G = 2*(1 + mu)``."""
         check_poissons_ratio(self.poissons_ratio)
         return 2 * (1 + self.poissons_ratio)
 
 
 @dataclass(frozen=True, slots=True)
 class ByShearModulus:
-    """Shear of a material by a modulus G of its own, Pa."""
+    """Shear of a material by its shear modulus."""
 
     shear_modulus: Number  # G, Pa
 
     def modulus_ratio(self, youngs_modulus: Number) -> Number:
-        """E/G."""
+        """Ratio of moduli E/G."""
         check_positive(shear_modulus=self.shear_modulus)
         return youngs_modulus / self.shear_modulus
 
 
 Shear = ByPoissonsRatio | ByShearModulus
-"""What the shear of a material is known by."""
+"""Material constant that gives the shear."""
 
 KINDS: dict[str, dict[str, Callable[[Any], Spacing | Shear]]] = {
     "spacing": {"position_tolerance": PositionTolerance, "gaps": GivenGaps},
     "shear": {"poissons_ratio": ByPoissonsRatio, "shear_modulus": ByShearModulus},
 }
-"""Arguments of which there are kinds, each by the input that it is made of."""
+"""Classes for an argument of `roller_strength`, by argument and by the input's name."""
 
 
 def roller_arguments(**given: Any) -> dict[str, Any]:
-    """What `roller_strength` takes, of inputs by their own names.
-
-    Parameters
-    ----------
-    **given
-        Its arguments, with one of each of `KINDS` in the place of that.
-
-    Returns
-    -------
-    dict
-
-    Raises
-    ------
-    InvalidInput
-        If two of one are given.
-    """
+    """Arguments of `roller_strength` from named inputs; InvalidInput for two of one kind."""
     made = dict(given)
     for argument, kinds in KINDS.items():
         for name in kinds:
@@ -148,37 +116,36 @@ def roller_arguments(**given: Any) -> dict[str, Any]:
 
 @dataclass(frozen=True, slots=True)
 class RollerStrength:
-    """Load sharing and strength of the swinging rollers of one design, or of an array of them."""
+    """Load sharing and strength of swinging rollers of one design or of an array of designs."""
 
-    stiffness: Number  # c of one end of a roller, N/m
+    stiffness: Number  # stiffness c of one end of a roller, N/m
     relative_stiffness: Number  # c/(b*E)
-    mean_force: Number  # F_avg on one end of a roller, N
-    # delta = c*chi/F_avg; for a list of gaps, that of the tolerance with the same mean gap.
+    mean_force: Number  # mean force F_avg on one end of a roller, N
+    # delta = c*chi/F_avg; with given gaps chi is the tolerance with an equal mean gap.
     relative_position_error: Number
     load_nonuniformity: Number  # Psi, largest over mean force, from 1 to the number of rollers
-    max_force: Number  # F_1, largest on one end of a roller, N
-    centre_force: Number  # F_0 = 2*F_1 on the middle of that roller, N
-    # Force on one end of each roller, N. With a tolerance the first is the roller ahead.
+    max_force: Number  # largest force F_1 on one end of a roller, N
+    centre_force: Number  # force F_0 = 2*F_1 on the middle of the most loaded roller, N
+    # Force on one end of each roller, N; with a tolerance the first roller is the one ahead.
     forces: tuple[Number, ...]
-    # Delta of the disc's holes against the satellites', m, from the zero of the gaps; with a
-    # tolerance, from the first contact.
+    # Displacement Delta of the disc's holes against the satellites' holes, m, from the zero of the
+    # gaps; with a tolerance from the first contact.
     displacement: Number
-    bending_moment: Number  # of the most loaded roller beside its middle sphere, N*m
-    bending_stress: Number  # sigma there, Pa
-    relative_stress: Number  # sigma/E, as the source's fig. 6 shows it
-    loaded_rollers: int | IntArray  # number that carry a force
+    bending_moment: Number  # largest moment, beside the middle sphere, N*m
+    bending_stress: Number  # largest stress sigma, beside the middle sphere, Pa
+    relative_stress: Number  # sigma/E, shown in fig. 6 of the source
+    loaded_rollers: int | IntArray  # number of rollers that carry a force
     length_ratio: Number  # length of the cylinder over its diameter
     sphere_ratio: Number  # diameter of a sphere over that of the cylinder
     width_ratio: Number  # width of a sphere over its diameter
     deflection_ratio: Number  # deflection of the most loaded roller over its length
-    # Of every number against its own size; of single forces against the largest; of the
-    # displacement and of the relative position error against what the largest gap makes of them,
-    # where that is more.
+    # Error relative to each number; for single forces relative to the largest force; for the
+    # displacement and the relative position error relative to the largest gap's, if that is more.
     accuracy: Accuracy
 
     @property
     def notices(self) -> tuple[Notice, ...]:
-        """Assumptions that one design (not an array of them) strains."""
+        """Notices on assumptions that one design (not an array) strains."""
         strained = {
             "short_roller": self.length_ratio < SHORT_ROLLER,
             "sphere_below_roller": self.sphere_ratio < 1,
@@ -206,60 +173,35 @@ def roller_strength(
 ) -> RollerStrength:
     """Forces, displacement and bending stress of swinging rollers.
 
-    ``F_i = c*max(0, Delta - g_i)`` with ``sum F_i = T/(2*R)``; the worst case of a position
-    tolerance chi is one roller ahead of the others by ``4*chi``, for which
-    ``Psi = min(n, 1 + 4*(n - 1)/n*delta)``. ``M = (l + b/2 + k*D/2)*F_1``,
-    ``sigma = K_sigma*M/(pi*d^3/32)``.
+    ``F_i = c*max(0, Delta - g_i)`` with ``sum F_i = T/(2*R)``; with a position tolerance chi one
+    roller is ahead of the others by ``4*chi`` and ``Psi = min(n, 1 + 4*(n - 1)/n*delta)``.
+    ``M = (l + b/2 + k*D/2)*F_1``, ``sigma = K_sigma*M/(pi*d^3/32)``.
+
+    Source: Ovsyannikov et al. 2019, eqs (1)-(9). Errata: (11)-(13) print the number of rollers only
+    before the bending part of the compliance; by (6) with (9) it multiplies the shear part too. The
+    printed form makes the stress too high, by 9 % at l/d = 1, chi/d = 4e-4. In (13) l/d is missing
+    before the first term as well. (9) carries the shear angle of (8) over b/2, though shear does
+    not turn a section; this is kept because the source's figures are made with it. Without it the
+    compliance is 6 % smaller at l/d = 1. One roller carries everything from delta = n/4, which for
+    the source's n = 4 is its limit of 1.
 
     Parameters
     ----------
-    output_torque : float or array
-        Output torque T, N*m, > 0.
-    hole_circle_radius : float or array
-        Radius R of the circle of holes, m.
-    rollers : int
-        Number n of rollers, >= 1.
-    cylinder_length : float or array
-        Length l of the cylinder between two spheres, m.
-    sphere_width : float or array
-        Width b of a sphere, m.
-    sphere_diameter : float or array
-        Diameter D of a sphere, m.
-    diameter : float or array
-        Diameter d of the cylinder, m.
-    friction_coefficient : float or array
-        Friction coefficient k of sphere and hole, >= 0.
-    youngs_modulus : float or array
-        Young's modulus E, Pa.
+    output_torque : float or array, T, N*m, > 0
+    hole_circle_radius : float or array, R, m
+    rollers : int, number n, >= 1
+    cylinder_length : float or array, l between two spheres, m
+    sphere_width, sphere_diameter : float or array, b and D, m
+    diameter : float or array, d of the cylinder, m
+    friction_coefficient : float or array, k of sphere and hole, >= 0
+    youngs_modulus : float or array, E, Pa
     shear : ByPoissonsRatio or ByShearModulus
-        What its shear is known by.
-    stress_concentration : float or array
-        Stress concentration factor K_sigma, > 0.
+    stress_concentration : float or array, K_sigma, > 0
     spacing : PositionTolerance or GivenGaps
-        How far the holes are off.
-
-    Returns
-    -------
-    RollerStrength
-
-    Raises
-    ------
-    InvalidInput
-        If a size is not positive, or there is not one gap for each roller.
-
-    Notes
-    -----
-    Source: Ovsyannikov et al. 2019, eqs (1)-(9). Errata: (11)-(13) print the number of rollers
-    only before the bending part of the compliance; by (6) with (9) it multiplies the shear part
-    too. As printed the stress is too high: by 9 % at l/d = 1, chi/d = 4e-4. In (13) l/d is missing
-    before the first term as well. (9) carries the shear angle of (8) over b/2, though shear does
-    not turn a section: kept, as the source's figures are made so; without it the compliance is 6 %
-    smaller at l/d = 1. The source's limit for one roller carrying everything, delta = 1, is
-    ``n/4`` for its n = 4.
 
     Examples
     --------
-    The source's fig. 6 at l/d = 2, chi/d = 2e-4: sigma/E.
+    sigma/E of the source's fig. 6 at l/d = 2, chi/d = 2e-4:
 
     >>> result = roller_strength(
     ...     output_torque=0.001*210e9*0.01**3, hole_circle_radius=0.03, rollers=4,
@@ -318,7 +260,7 @@ def roller_strength(
         deflection_ratio=sharing.largest_force / stiffness / cylinder_length,
         accuracy=Accuracy(
             method="closed_form_gaps",
-            # products of positive sums: the roundings, and those of the input, add up
+            # roundings of products of positive sums add up, with those of the input
             relative_error=sharing.relative_error + 16 * ROUNDING,
             evaluations=1,
         ),
@@ -330,25 +272,15 @@ def roller_fatigue(
 ) -> CycleFatigue:
     """Fatigue of a roller at its middle sphere.
 
-    The stress there is taken to come and go, from 0 to the largest: ``sigma_a = sigma_m =
-    sigma/2``; where the roller spins in its seat it is fully reversed.
+    The stress goes from 0 to the largest, ``sigma_a = sigma_m = sigma/2``, and is fully reversed if
+    the roller rotates in its seat. The cycle is derived from the static stress of Ovsyannikov et
+    al. 2019, eq. (12).
 
     Parameters
     ----------
-    bending_stress : float
-        Largest stress sigma, Pa, > 0: with the factor of the notch where `strength` has none.
+    bending_stress : float, largest sigma, Pa, > 0, with the notch factor if `strength` has none
     strength : FatigueStrength
-        What it is judged by.
     rotates : bool
-        Whether the roller spins in its seat.
-
-    Returns
-    -------
-    CycleFatigue
-
-    Notes
-    -----
-    Derived: cycle of the stress of Ovsyannikov et al. 2019, eq. (12), which is a static one there.
 
     Examples
     --------
@@ -369,32 +301,16 @@ def relative_stiffness(
     friction_coefficient: Number,
     modulus_ratio: Number,
 ) -> Number:
-    """Relative stiffness ``c/(b*E)`` of one end of a roller.
+    """Relative stiffness ``c/(b*E)`` of one end of a roller, dimensionless.
 
-    With ``l = l/d, b = b/d, D = D/d`` the compliance is ``64*b*l/pi*((k*D + b)*l/4 + l^2/3 +
-    b*(l + k*D + b)/4) + 4*1.11*b*(E/G)/pi*(l + b/2)``.
+    With l, b, D for l/d, b/d, D/d the compliance is the sum of
+    ``64*b*l/pi*((k*D + b)*l/4 + l^2/3 + b*(l + k*D + b)/4)`` and ``4*1.11*b*(E/G)/pi*(l + b/2)``.
+    Source: Ovsyannikov et al. 2019, eq. (10), fig. 4.
 
     Parameters
     ----------
-    relative_length : float or array
-        Length over diameter l/d, dimensionless.
-    relative_width : float or array
-        Width of a sphere over diameter b/d.
-    relative_sphere : float or array
-        Diameter of a sphere over diameter D/d.
-    friction_coefficient : float or array
-        Friction coefficient k.
-    modulus_ratio : float or array
-        E/G, dimensionless.
-
-    Returns
-    -------
-    float or array
-        Dimensionless.
-
-    Notes
-    -----
-    Source: Ovsyannikov et al. 2019, eq. (10), their fig. 4.
+    relative_length, relative_width, relative_sphere : float or array, l/d, b/d and D/d
+    friction_coefficient, modulus_ratio : float or array, k and E/G
 
     Examples
     --------
@@ -410,38 +326,18 @@ def relative_stiffness(
 
 
 def load_nonuniformity(*, relative_position_error: Number, rollers: int) -> Number:
-    """Largest force over the mean one: ``Psi = min(n, 1 + 4*(n - 1)/n*delta)``.
+    """Load-sharing factor, largest over mean force, ``Psi = min(n, 1 + 4*(n - 1)/n*delta)``.
+
+    Source: Ovsyannikov et al. 2019, eq. (6), fig. 5, up to n, where one roller carries all.
 
     Parameters
     ----------
-    relative_position_error : float or array
-        delta, dimensionless, >= 0.
+    relative_position_error : float or array, delta, >= 0
     rollers : int
-        Number n of rollers.
-
-    Returns
-    -------
-    float or array
-        Dimensionless; n from `single_roller_limit` on.
-
-    Notes
-    -----
-    Source: Ovsyannikov et al. 2019, eq. (6), their fig. 5, ended where the other rollers unload.
     """
     return smaller(float(rollers), 1 + 4 * (rollers - 1) / rollers * relative_position_error)
 
 
 def single_roller_limit(*, rollers: int) -> float:
-    """delta from which one roller carries everything: ``n/4``.
-
-    Parameters
-    ----------
-    rollers : int
-        Number n of rollers.
-
-    Returns
-    -------
-    float
-        Dimensionless.
-    """
+    """Relative position error delta from which one roller of n carries everything, ``n/4``."""
     return rollers / 4

@@ -1,12 +1,12 @@
-"""Tolerances: what the parts are made to, and what becomes of the mechanism.
+"""Tolerances: what parts are made to, and the effect on the mechanism.
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-iso286          limits of the classes of pins and holes
-processes       what ways of making parts usually come to
-draws           random deviations, each part a stream of its own
-tolerances      what the parts are made to, and pieces drawn from it
+iso286          limits of ISO 286 classes of pins and holes
+processes       usual tolerances of manufacturing processes
+draws           random deviations, each part with its own stream
+tolerances      tolerances of the parts, and pieces drawn from them
 quantiles       percentiles and yield with intervals
 study           quantities of many pieces
-contributions   which tolerance does most
+contributions   share of each tolerance in the variance
 """

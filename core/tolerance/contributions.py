@@ -1,4 +1,4 @@
-"""Which tolerance does most: Sobol' indices by source, and percentiles without one."""
+"""Share of each tolerance in the variance: Sobol' indices by source, percentiles without one."""
 
 import math
 from dataclasses import dataclass
@@ -14,20 +14,20 @@ from core.tolerance.tolerances import Drawn
 
 @dataclass(frozen=True, slots=True)
 class Contribution:
-    """What one source does to a quantity."""
+    """Contribution of one source to the variance of a quantity."""
 
-    source: str  # name of the source
-    total: float  # total index S_T, what of the variance would be left without all others
-    total_error: float  # its standard error
-    first: float  # index S_1, what the source explains alone
-    first_error: float  # its standard error
-    # With this source at the middle of its limits: the percentile, or the share of pieces that fit.
+    source: str  # name of the tolerance
+    total: float  # total index S_T: part of the variance left if all other sources are fixed
+    total_error: float  # standard error of S_T
+    first: float  # first-order index S_1: part of the variance that the source explains alone
+    first_error: float  # standard error of S_1
+    # Percentile, or share of pieces that fit, with this source at the middle of its limits.
     without: Estimate
 
 
 MOST_FIT = 0.95
-"""Share of pieces that fit below which what the tolerances do is asked of the fit: of a quantity
-two pieces that both fit would be needed each time."""
+"""Share of pieces that fit below which contributions to the fit are calculated: contributions to a
+quantity need pairs of pieces that both fit."""
 
 
 def contributions(
@@ -35,28 +35,21 @@ def contributions(
 ) -> tuple[Contribution, ...]:
     """Contributions of the sources to the first quantity of a study, the largest first.
 
+    n*(2*G + 2) pieces are calculated for G sources. Jansen 1999, with two samples A and B, and AB
+    which is A with one source from B: ``S_T = mean((f_A - f_AB)^2)/(2*V)``,
+    ``S_1 = 1 - mean((f_B - f_AB)^2)/(2*V)``. Correlations and linear fits say nothing, because the
+    peak force is even in most deviations. Totals above 1 in sum mean that sources act together.
+    Pieces that do not fit or cannot work are left out. Each index is a ratio of means, as V is
+    estimated from the samples too, so the standard error is that of
+    ``(f_A - f_AB)^2/2 - S*(f - <f>)^2`` over V (Cochran 1977, Sampling Techniques, 6).
+
     Parameters
     ----------
     study : Study
-        Design, tolerances, what is asked; n*(2*G + 2) pieces are calculated for G sources.
     percent : float
         Percentage of the percentile without each source.
     to_fit : bool
-        Whether to the fit of the pieces instead: 1 where one fits, else 0.
-
-    Returns
-    -------
-    tuple of Contribution
-
-    Notes
-    -----
-    Jansen 1999, with two samples A and B and A with one source from B:
-    ``S_T = mean((f_A - f_AB)^2)/(2*V)``, ``S_1 = 1 - mean((f_B - f_AB)^2)/(2*V)``. The peak force
-    is even in most deviations, so correlations and straight fits say nothing. Where the totals add
-    up to more than 1, sources act together. Pieces that do not fit or cannot work are left out.
-    Each index is a ratio of means, so that its standard error is that of
-    ``(f_A - f_AB)^2/2 - S*(f - <f>)^2`` over V (Cochran 1977, Sampling Techniques, 6): V is
-    estimated from the same pieces.
+        True for contributions to the fit, 1 or 0 of each piece, in place of a quantity.
     """
 
     def first_quantity(pieces: Drawn) -> FloatArray:
@@ -67,7 +60,7 @@ def contributions(
     one = first_quantity(study.pieces())
     other = first_quantity(study.pieces(other=sources))
     both = np.stack([one, other])
-    variance = float(np.nanvar(both)) or math.inf  # where nothing varies, nothing contributes
+    variance = float(np.nanvar(both)) or math.inf  # infinite, so that indices are 0, if it is 0
     varied = np.mean((both - np.nanmean(both)) ** 2, axis=0) / variance
 
     def index(differences: FloatArray) -> tuple[float, float]:

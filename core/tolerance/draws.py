@@ -1,8 +1,9 @@
-"""Random deviations of the parts, the same for a seed whatever else is drawn.
+"""Random deviations of the parts, which depend on the seed, the part and the sample only.
 
-Each part of each kind has a stream of its own: Philox4x64-10 with the key (seed, kind and index),
-of which sample i is the i-th word. So a sample does not depend on how many there are, on blocks, or
-on other sources. Words are used as they are: NumPy promises these, not what it makes of them.
+Each part of each kind has its own stream: Philox4x64-10 with the key (seed, kind and index), whose
+i-th word is sample i. A sample therefore does not depend on the number of samples, on blocks, or on
+other sources. Words are converted here, because NumPy guarantees the words and not the numbers that
+its distributions make of them.
 """
 
 import math
@@ -28,13 +29,13 @@ KINDS = {
     "equidistant": (12,),
     "modification_pin_circle": (13,),
 }
-"""Streams of each source; of a zone one for the radius and one for the angle."""
+"""Streams of each source; a round zone has one for the radius and one for the angle."""
 
 OF_RING = ("ring_pin_position", "ring_pin_radius", "equidistant", "modification_pin_circle")
-"""Sources of a ring of pins, and of the cycloid discs on them."""
+"""Sources that belong to ring pins and to the cycloid discs on them."""
 
 OTHER = 1000
-"""Added to the kinds for a second, independent sample of the same seed."""
+"""Offset of the kinds for a second, independent sample of one seed."""
 
 Distribution = Literal["normal", "uniform"]
 
@@ -42,22 +43,16 @@ Distribution = Literal["normal", "uniform"]
 def uniforms(
     *, seed: int, streams: Sequence[tuple[int, int]], samples: int, first: int = 0
 ) -> FloatArray:
-    """Numbers between 0 and 1 of streams, neither of them included.
+    """Numbers of random streams, above 0 and below 1, shape (streams, samples).
 
     Parameters
     ----------
     seed : int
-        Of the study, >= 0.
+        Seed of the study, >= 0.
     streams : sequence of tuple
-        Kind of each, and number of the part from 0.
-    samples : int
-        How many.
-    first : int
-        Number of the first sample.
-
-    Returns
-    -------
-    array, shape (streams, samples)
+        Kind of each stream, and index of the part from 0.
+    samples, first : int
+        Number of samples, and index of the first one.
 
     Examples
     --------
@@ -70,7 +65,7 @@ def uniforms(
     numbers = np.empty((len(streams), samples))
     for row, (kind, index) in zip(numbers, streams, strict=True):
         state["state"]["key"][1] = (kind << 32) + index
-        bits.state = state  # a tenth of the time of another generator
+        bits.state = state  # takes a tenth of the time of a new generator
         row[:] = bits.random_raw(first % 4 + samples)[first % 4 :] >> np.uint64(11)
     numbers *= 2.0**-53
     numbers += 2.0**-54
@@ -79,13 +74,13 @@ def uniforms(
 
 @dataclass(frozen=True, slots=True)
 class Spread:
-    """How a size or an angle varies."""
+    """Range and distribution of a deviation of a size or an angle."""
 
     lower: float  # least deviation, m or rad
-    upper: float  # largest deviation
-    # Normal: cut off at the limits, which are three standard deviations off the middle.
+    upper: float  # largest deviation, m or rad
+    # A normal distribution is cut off at the limits, three standard deviations off the middle.
     distribution: Distribution = "normal"
-    common: bool = False  # whether all parts of a piece have the same
+    common: bool = False  # true if all parts of a piece have one deviation
 
     def __post_init__(self) -> None:
         check_finite(lower=self.lower, upper=self.upper)
@@ -93,48 +88,18 @@ class Spread:
             raise InvalidInput("lower", self.lower, "at_most", field="upper", limit=self.upper)
 
     def values(self, uniform: FloatArray) -> FloatArray:
-        """Deviations of numbers between 0 and 1.
-
-        Parameters
-        ----------
-        uniform : array
-            Numbers between 0 and 1.
-
-        Returns
-        -------
-        array
-        """
+        """Deviations for numbers between 0 and 1."""
         return self.spread(normals(uniform) if self.distribution == "normal" else uniform)
 
     def spread(self, numbers: FloatArray) -> FloatArray:
-        """The same of numbers of its distribution.
-
-        Parameters
-        ----------
-        numbers : array
-            As `normals` makes them, or between 0 and 1.
-
-        Returns
-        -------
-        array
-        """
+        """Deviations for numbers of `normals`, or for numbers from 0 to 1 if uniform."""
         if self.distribution == "uniform":
             return self.lower + numbers * (self.upper - self.lower)
         return (self.lower + self.upper) / 2 + (self.upper - self.lower) / 6 * numbers
 
 
 def normals(uniform: FloatArray) -> FloatArray:
-    """Normal deviations within three standard deviations, of numbers between 0 and 1.
-
-    Parameters
-    ----------
-    uniform : array
-        Numbers between 0 and 1.
-
-    Returns
-    -------
-    array
-    """
+    """Normal deviations within three standard deviations, for numbers between 0 and 1."""
     tail = 0.5 * math.erfc(3 / math.sqrt(2))
     return _normal_quantile(tail + uniform * (1 - 2 * tail))
 
@@ -153,12 +118,12 @@ TAIL = (
      0.14810397642748007459, 0.68976733498510000455, 1.6763848301838038494,
      2.05319162663775882187, 1.0),
 )  # fmt: skip
-"""Wichura 1988, algorithm AS 241 (PPND16): rational functions of the normal distribution's inverse,
-within 0.425 of the middle and from there to probabilities of 1e-11."""
+"""Rational functions of the inverse normal distribution, within 0.425 of the middle, and from there
+to probabilities of 1e-11 (Wichura 1988, algorithm AS 241, PPND16)."""
 
 
 def _polynomial(powers: tuple[float, ...], x: FloatArray) -> FloatArray:
-    """By Horner's rule, in one array."""
+    """Value of a polynomial by Horner's rule."""
     value = np.full_like(x, powers[0])
     for power in powers[1:]:
         value *= x
@@ -167,7 +132,7 @@ def _polynomial(powers: tuple[float, ...], x: FloatArray) -> FloatArray:
 
 
 def _normal_quantile(probability: FloatArray) -> FloatArray:
-    """The number below which a normal deviation lies with a probability."""
+    """Quantile of the standard normal distribution."""
     off = probability - 0.5
     square = 0.180625 - off * off
     centre = _polynomial(CENTRE[0], square)
@@ -184,19 +149,14 @@ def _normal_quantile(probability: FloatArray) -> FloatArray:
 def zone_places(
     *, diameter: float, radius_uniform: FloatArray, angle_uniform: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Places in a round zone, evenly over its area.
+    """Radial and tangential places in a round zone, even over its area, m.
 
     Parameters
     ----------
     diameter : float
-        Of the zone, m: the position tolerance.
+        Diameter of the zone, which is the position tolerance, m.
     radius_uniform, angle_uniform : array
         Numbers between 0 and 1.
-
-    Returns
-    -------
-    radial, tangential : array
-        Places, m.
     """
     radius = diameter / 2 * np.sqrt(radius_uniform)
     angle = 2 * math.pi * angle_uniform

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from core.errors import InvalidInput
 
 SIZES = (3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500)
-"""Upper ends of the ranges of nominal sizes, mm; a range goes from over the one before."""
+"""Upper ends of the ranges of nominal sizes, mm; each range includes its upper end only."""
 
 GRADES = {
     5: (4, 5, 6, 8, 9, 11, 13, 15, 18, 20, 23, 25, 27),
@@ -18,7 +18,7 @@ GRADES = {
     10: (40, 48, 58, 70, 84, 100, 120, 140, 160, 185, 210, 230, 250),
     11: (60, 75, 90, 110, 130, 160, 190, 220, 250, 290, 320, 360, 400),
 }
-"""Tolerances IT5 to IT11 by the range, micrometres."""
+"""Tolerances IT5 to IT11 for each range of `SIZES`, micrometres."""
 
 NEAREST = {
     "f": (-6, -10, -13, -16, -20, -25, -30, -36, -43, -50, -56, -62, -68),
@@ -26,42 +26,34 @@ NEAREST = {
     "h": (0,) * 13,
     "m": (2, 4, 6, 7, 8, 9, 11, 13, 15, 17, 20, 21, 23),
 }
-"""Fundamental deviations of shafts, micrometres: the upper one, of m the lower one."""
+"""Fundamental deviations of shafts, micrometres: upper deviations, for m lower ones."""
 
 CLASSES = ("f", "g", "h", "js", "m", "F", "G", "H", "JS")
 
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Limits of a size."""
+    """Limit deviations of a size."""
 
     lower: float  # lower limit deviation of the diameter, m
-    upper: float  # upper one, m
+    upper: float  # upper limit deviation of the diameter, m
 
 
 def fit_clearance(*, fit: str, hole_diameter: float, pin_diameter: float) -> float:
-    """Mean radial clearance of a fit whose parts are of two nominal diameters.
+    """Mean radial clearance of a fit of two nominal diameters, m; negative is interference.
+
+    The clearance is half of the difference of the middles of both tolerances.
 
     Parameters
     ----------
     fit : str
-        Classes of hole and shaft, as ``H7/f7``.
+        Classes of hole and shaft, for example ``H7/f7``.
     hole_diameter, pin_diameter : float
-        Nominal diameter that each class is of, m, at most 0.5.
-
-    Returns
-    -------
-    float
-        Half of the difference of the middles of both tolerances, m; negative of an interference.
-
-    Raises
-    ------
-    InvalidInput
-        If one of the classes, or of the diameters, is not in the tables.
+        Nominal diameters, m, at most 0.5.
 
     Examples
     --------
-    A hole of 20 mm, 0 to 21 micrometres, and a pin of 16 mm, -34 to -16 micrometres.
+    Hole of 20 mm with 0 to 21 micrometres, pin of 16 mm with -34 to -16 micrometres.
 
     >>> round(fit_clearance(fit="H7/f7", hole_diameter=0.020, pin_diameter=0.016) * 1e6, 6)
     17.75
@@ -75,36 +67,22 @@ def fit_clearance(*, fit: str, hole_diameter: float, pin_diameter: float) -> flo
 
 
 def class_limits(*, size: float, tolerance_class: str) -> Limits:
-    """Limit deviations of a diameter by its ISO 286 class.
+    """Limit deviations of a diameter by its ISO 286 class; js and JS are halves, not rounded.
+
+    ISO 286-1:2010, tables 1 to 5; f and g up to 3 mm and m above 180 mm follow the formulas of ISO
+    286-1:1988, A.3.
 
     Parameters
     ----------
     size : float
         Nominal diameter, m, at most 0.5.
     tolerance_class : str
-        As ``m6`` of a shaft or ``H7`` of a hole: letters of `CLASSES`, grades of `GRADES`.
-
-    Returns
-    -------
-    Limits
-        js and JS are half of the tolerance to each side, not rounded.
-
-    Raises
-    ------
-    InvalidInput
-        If the size or the class is not in the tables.
-
-    Notes
-    -----
-    ISO 286-1:2010, tables 1 to 5. The rows of f and g up to 3 mm and of m above 180 mm are by the
-    formulas of ISO 286-1:1988, A.3.
+        For example ``m6`` or ``H7``, with letters of `CLASSES` and grades of `GRADES`.
 
     Examples
     --------
     >>> class_limits(size=0.010, tolerance_class="m6")
     Limits(lower=6e-06, upper=1.5e-05)
-    >>> class_limits(size=0.014, tolerance_class="H7")
-    Limits(lower=0.0, upper=1.8e-05)
     """
     if not size > 0:
         raise InvalidInput("size", size, "greater_than", limit=0)

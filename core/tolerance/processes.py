@@ -1,8 +1,8 @@
-"""What parts come to by the way in which they are made: guides, where nothing better is known.
+"""Usual tolerances of manufacturing processes, as guides if nothing better is known.
 
-Limits of diameters and zones of places on the part as it is made, of a hole and a pin of some tens
-of millimetres, by services and makers who publish them. Sources differ by a factor of two; none of
-these numbers is a standard.
+Limits of diameters and position tolerances are for holes and pins of some tens of millimetres on
+the finished part, by services and makers who publish them. Sources differ by a factor of two; none
+of these numbers is a standard.
 """
 
 from dataclasses import dataclass
@@ -13,34 +13,24 @@ from core.tolerance.iso286 import Limits
 ProcessName = Literal["fdm", "sla", "sls", "mjf", "laser_cut", "milled", "precise", "ground"]
 
 Size = Limits | str | None
-"""Deviations of a diameter, m; its ISO 286 class; None where the process makes no such part."""
+"""Limit deviations or ISO 286 class of a diameter; None if the process makes no such part."""
 
 
 @dataclass(frozen=True, slots=True)
 class Process:
-    """What a process usually comes to."""
+    """Usual tolerances of a process."""
 
-    code: ProcessName  # its name in requests and answers
-    title: str  # in English
-    hole: Size  # diameter of holes
-    pin: Size  # diameter of pins
-    position: float  # diameter of the zone of the centres of holes and pins, m
-    clearance: float  # radial, with which such parts usually run, m
-    clearances: tuple[float, float]  # between which the sources name it, m
-    source: str  # where the numbers come from
+    code: ProcessName  # name in requests and answers
+    title: str  # English title
+    hole: Size  # size of hole diameters
+    pin: Size  # size of pin diameters
+    position: float  # position tolerance of holes and pins, diameter of the zone, m
+    clearance: float  # usual radial clearance, m
+    clearances: tuple[float, float]  # range of the radial clearance in the sources, m
+    source: str  # source of the numbers
 
     def size(self, of: Literal["hole", "pin"]) -> Size:
-        """Deviations or class of the diameter of its holes, or of its pins.
-
-        Parameters
-        ----------
-        of : {"hole", "pin"}
-            Which.
-
-        Returns
-        -------
-        Limits, str or None
-        """
+        """Limits or class of hole or pin diameters."""
         return self.hole if of == "hole" else self.pin
 
 
@@ -141,6 +131,6 @@ PROCESSES = {
         ),
     )
 }
-"""By code, from coarse to fine."""
+"""Processes by code, from coarse to fine."""
 
 assert {*PROCESSES} == {*get_args(ProcessName)}

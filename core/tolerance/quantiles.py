@@ -1,4 +1,4 @@
-"""Percentiles and yield of a sample, with intervals that hold whatever the distribution is."""
+"""Percentiles and yield of a sample, with intervals that hold for any distribution."""
 
 import math
 from collections.abc import Sequence
@@ -15,29 +15,26 @@ CONFIDENCE = 0.95
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """A number with its 95 % interval."""
+    """Number with its 95 % interval."""
 
-    value: float  # the number
+    value: float  # estimated number
     low: float  # lower end of the interval
-    high: float  # upper end
+    high: float  # upper end of the interval
 
 
 REACH = 12.0
-"""Standard deviations from the mean beyond which a binomial distribution has nothing: less than
-1e-11 of it, also where the mean is a few successes.
-"""
+"""Standard deviations from the mean beyond which a binomial distribution has less than 1e-11 of its
+probability, even if the mean is a few successes."""
 
 
 def _reached(count: int, p: float) -> tuple[int, int]:
-    """Numbers of successes of so many trials below and above which there is nothing."""
+    """Range of numbers of successes outside which the binomial distribution is negligible."""
     mean, reach = count * p, REACH * (math.sqrt(count * p * (1 - p)) + 1)
     return max(0, math.floor(mean - reach)), min(count, math.ceil(mean + reach))
 
 
 def _below(count: int, p: float) -> FloatArray:
-    """Probabilities of at most so many successes, of the numbers that are reached; each term
-    follows from the one before.
-    """
+    """Probabilities of at most k successes for each k in the range of `_reached`."""
     first, last = _reached(count, p)
     k = np.arange(first + 1, last + 1)
     logs = np.concatenate([[0.0], np.cumsum(np.log((count - k + 1) / k) + math.log(p / (1 - p)))])
@@ -47,7 +44,7 @@ def _below(count: int, p: float) -> FloatArray:
 
 
 def _most(tail: int, count: int, p: float) -> float:
-    """Probability of at most so many successes."""
+    """Probability of at most ``tail`` successes."""
     first, last = _reached(count, p)
     if first <= tail < last:
         return float(_below(count, p)[tail - first])
@@ -55,17 +52,7 @@ def _most(tail: int, count: int, p: float) -> float:
 
 
 def fewest(percent: float) -> int:
-    """Least size of a sample in which a percentile has an interval.
-
-    Parameters
-    ----------
-    percent : float
-        Percentage, between 0 and 100.
-
-    Returns
-    -------
-    int
-        The least n for which p^n and (1 - p)^n are at most 2.5 %.
+    """Least sample size in which a percentile has an interval: p^n and (1 - p)^n are at most 2.5 %.
 
     Examples
     --------
@@ -76,20 +63,14 @@ def fewest(percent: float) -> int:
 
 
 def refuse_few(*, count: int, percent: float) -> None:
-    """Refuse a percentage whose percentile has no interval in a sample of this size: as all values
-    may lie on one side of it.
+    """Raise InvalidInput if p^n or (1 - p)^n exceeds 2.5 %, as all values may lie on one side then.
 
     Parameters
     ----------
     count : int
-        Size of the sample, n.
+        Sample size n.
     percent : float
-        Percentage, between 0 and 100.
-
-    Raises
-    ------
-    InvalidInput
-        If p^n or (1 - p)^n exceeds 2.5 %, or there is no such percentage.
+        Percentage 100*p, between 0 and 100.
 
     Examples
     --------
@@ -107,31 +88,20 @@ def refuse_few(*, count: int, percent: float) -> None:
 
 
 def percentile(*, values: Sequence[float] | FloatArray, percent: float) -> Estimate:
-    """Percentile of a sample, by order statistics.
+    """Percentile of a sample by order statistics: the value of rank ceil(n*p).
+
+    Ends of the interval are the values at the binomial quantiles, for any distribution. Raises
+    InvalidInput if the sample is too small, see `refuse_few`.
 
     Parameters
     ----------
     values : sequence of float
-        The sample, n values.
+        Sample of n values.
     percent : float
-        Percentage, between 0 and 100.
-
-    Returns
-    -------
-    Estimate
-        The value of rank ceil(n*p); the ends are those of the binomial quantiles, free of any
-        distribution.
-
-    Raises
-    ------
-    InvalidInput
-        If the sample is too small for the interval.
+        Percentage 100*p, between 0 and 100.
 
     Examples
     --------
-    >>> percentile(values=range(1, 1001), percent=99.9)
-    Traceback (most recent call last):
-    core.errors.InvalidInput: percent = 99.9 needs a sample of at least 3688
     >>> percentile(values=range(1, 1001), percent=50)
     Estimate(value=500.0, low=469.0, high=532.0)
     """
@@ -147,16 +117,12 @@ def percentile(*, values: Sequence[float] | FloatArray, percent: float) -> Estim
 
 
 def share(*, successes: int, count: int) -> Estimate:
-    """Share of successes, with the interval of Clopper and Pearson.
+    """Share of successes with the interval of Clopper and Pearson.
 
     Parameters
     ----------
     successes, count : int
-        How many of how many.
-
-    Returns
-    -------
-    Estimate
+        Number of successes, and of trials.
 
     Examples
     --------

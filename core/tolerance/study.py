@@ -1,4 +1,4 @@
-"""What tolerances do to many pieces: peak force, pressure, transmission error, backlash, ..."""
+"""Tolerance study of many pieces: peak force, pressure, transmission error, backlash and others."""
 
 import math
 import os
@@ -31,98 +31,66 @@ QUANTITIES = (
 )
 
 PRESSURES = frozenset(("max_pressure", "ring_max_pressure"))
-"""Quantities of which the engine says what their square is a multiple of."""
+"""Pressures, for which the engine returns a quantity in proportion to their squares."""
 
 BLOCK, LARGEST = 64, 1024
-"""Pieces that are calculated at once, at least and at most."""
+"""Least and largest number of pieces in a block."""
 
 WORK = 500_000
-"""Pairs of all positions of a block's pieces, beyond the least: some tens of milliseconds, after
-which a study can be ended. Of fewer pieces each takes more for its draws than for its equilibria.
-"""
+"""Largest number of pairs times positions times pieces in a block above the least size. Blocks take
+some tens of milliseconds, after which a study can be ended; in smaller blocks the draws of a piece
+take longer than its equilibria."""
 
 WORST = 32
-"""Samples of the highest peaks, a tenth of all at most, on which the error of the angle grid is
-estimated."""
+"""Number of pieces with the highest peaks by which the error of the angle grid is estimated, at
+most a tenth of all pieces."""
 
 FINER, FINER_SAMPLES = 4, 8
-"""How many times as many positions, and of how many pieces, show what the grid misses of the other
-quantities."""
+"""Factor on the number of positions, and number of pieces, by which the error of the angle grid is
+estimated for quantities other than the peak force."""
 
 
 @dataclass(frozen=True, slots=True)
 class Evaluation:
-    """What of each piece is asked, and where."""
+    """Quantities to calculate for each piece, and the load."""
 
-    quantities: tuple[str, ...]  # of `QUANTITIES`
+    quantities: tuple[str, ...]  # names from `QUANTITIES`; with a ring its peak and pressure too
     output_torque: float  # T on the output link, N*m, not 0; negative in reverse
-    positions: int = 60  # of the wave, evenly spaced
-    lost_motion_share: float = 0.03  # of the torque under which the lost motion is taken
+    positions: int = 60  # number of positions of a piece
+    lost_motion_share: float = 0.03  # share of the torque at which lost motion is measured
 
 
 @dataclass(frozen=True, slots=True)
 class ToleranceStudy:
-    """Many pieces."""
+    """Results of a tolerance study."""
 
-    quantities: tuple[str, ...]  # what was asked
-    # SI units, shape (samples, quantities); NaN where a piece does not fit or cannot work.
+    quantities: tuple[str, ...]  # names of the columns of `values`
+    # SI units, shape (samples, quantities); NaN if a piece does not fit or cannot work.
     values: FloatArray
-    fits: BoolArray  # which pieces have room at all positions of the turn, shape (samples,)
-    binds: BoolArray  # which have it at some only: they go together, and jam in turning
-    # Of the piece at the middle of all limits; nothing where that does not fit.
+    fits: BoolArray  # pieces that have room at all positions of the turn, shape (samples,)
+    binds: BoolArray  # pieces that have room at some positions only: they jam in turning
+    # Quantities of the piece at the middle of all limits; empty if that piece does not fit.
     nominal: dict[str, float]
     cannot_assemble: Estimate  # share of the pieces that do not fit at all positions
-    # How much the positions miss of each quantity, relative: a bias, of the largest values always
-    # low. Of the peak force the mean over the highest samples, each summit narrowed; of the others
-    # the mean over the first samples at four times the positions.
+    # Relative error of each quantity by the finite number of positions, a bias; largest values are
+    # always too low. For the peak force without a ring, the mean over the highest samples, each
+    # summit narrowed; otherwise from the first samples at `FINER` times the positions.
     angle_grid_error: dict[str, float]
 
     def column(self, quantity: str) -> FloatArray:
-        """Values of a quantity, of the pieces that can work.
-
-        Parameters
-        ----------
-        quantity : str
-            Its name.
-
-        Returns
-        -------
-        array
-        """
+        """Values of one quantity for the pieces that can work."""
         column: FloatArray = self.values[:, self.quantities.index(quantity)]
         return column[~np.isnan(column)]
 
     def percentile(self, *, quantity: str, percent: float) -> Estimate:
-        """Percentile of the pieces that can work.
-
-        Parameters
-        ----------
-        quantity : str
-            Its name.
-        percent : float
-            Percentage.
-
-        Returns
-        -------
-        Estimate
-        """
+        """Percentile of a quantity over the pieces that can work."""
         return percentile(values=self.column(quantity), percent=percent)
 
     def yield_within(self, *, quantity: str, limit: float, of_fitting: bool = False) -> Estimate:
-        """Share of pieces that keep a limit: of the stiffness a lower one, else an upper one.
+        """Share of pieces that keep a limit in SI units: stiffness above it, others below it.
 
-        Parameters
-        ----------
-        quantity : str
-            Its name.
-        limit : float
-            Its limit, SI units.
-        of_fitting : bool
-            Whether of the pieces that fit; else of all, of which those that do not fit fail.
-
-        Returns
-        -------
-        Estimate
+        The share is of the pieces that fit if ``of_fitting``, otherwise of all pieces, where those
+        that do not fit count as failures.
         """
         column = self.values[:, self.quantities.index(quantity)]
         kept = column >= limit if quantity == "stiffness_min" else column <= limit
@@ -131,21 +99,21 @@ class ToleranceStudy:
 
 
 def _untold(done: int) -> None:
-    """Nobody asks how much is done."""
+    """Ignore the progress."""
 
 
 class Pieces(NamedTuple):
-    """Quantities of pieces; not a number where one cannot work."""
+    """Quantities of a block of pieces, each of shape (pieces,); NaN if a piece cannot work."""
 
     fits: FloatArray  # FITS, BINDS or NOWHERE of the engine
-    peak_force: FloatArray  # of the output pins, N
-    max_pressure: FloatArray  # of these, as the engine's `pressing`, N/m
+    peak_force: FloatArray  # largest force on an output pin, N
+    max_pressure: FloatArray  # largest `engine.pressing` of an output pin, N/m
     transmission_error: FloatArray  # largest less least lag under load, rad
     backlash_max: FloatArray  # largest play of the output, rad
-    lost_motion: FloatArray  # largest, rad
-    stiffness_min: FloatArray  # least, N*m/rad
-    ring_peak_force: FloatArray  # of the pins of the ring, N
-    ring_max_pressure: FloatArray  # of these, force over reduced radius, N/m
+    lost_motion: FloatArray  # largest lost motion, rad
+    stiffness_min: FloatArray  # least stiffness, N*m/rad
+    ring_peak_force: FloatArray  # largest force on a ring pin, N
+    ring_max_pressure: FloatArray  # largest force over reduced radius of a ring pin, N/m
 
 
 NOTHING = (math.nan,) * (len(Pieces._fields) - 1)
@@ -153,40 +121,28 @@ NOTHING = (math.nan,) * (len(Pieces._fields) - 1)
 
 
 Block = Callable[[Drawn], Pieces]
-"""Calculates a few pieces; it can be pickled."""
+"""Function that calculates a block of pieces; a study's can be pickled."""
 
 Mapped = Callable[[Block, Sequence[Drawn]], Iterator[Pieces]]
-"""Where blocks are calculated: their results, one after the other in their order."""
+"""Function that calculates blocks and yields their results in their order."""
 
 
 @dataclass(frozen=True, slots=True)
 class Study:
-    """A design, its tolerances, and what is asked."""
+    """Nominal design, its tolerances, and the quantities to calculate."""
 
-    real: RealMechanism  # the nominal design; its own deviations are not used
+    real: RealMechanism  # nominal design; deviations in it are not used
     tolerances: Tolerances
     asked: Evaluation  # quantities, torque, positions
-    samples: int = 4096  # how many pieces
-    seed: int = 0  # of the draws
+    samples: int = 4096  # number of pieces
+    seed: int = 0  # seed of the draws
     # Called with the number of pieces done.
     progress: Callable[[int], None] = _untold
-    threads: int = 0  # how many; 0 for one to a processor
-    mapped: Mapped | None = None  # elsewhere than in these threads
+    threads: int = 0  # number of threads; 0 for one to a processor
+    mapped: Mapped | None = None  # calculates blocks in place of threads, e.g. in processes
 
     def pieces(self, *, tolerances: Tolerances | None = None, other: Sequence[str] = ()) -> Drawn:
-        """The pieces.
-
-        Parameters
-        ----------
-        tolerances : Tolerances, optional
-            Others than the study's.
-        other : sequence of str
-            Sources from the second sample.
-
-        Returns
-        -------
-        Drawn
-        """
+        """Drawn pieces; ``other`` names sources that are taken from the second sample."""
         own = self.real.mechanism
         return Drawn(
             tolerances=tolerances or self.tolerances,
@@ -200,51 +156,31 @@ class Study:
 
     @property
     def output(self) -> RealMechanism:
-        """The output mechanism."""
+        """Output mechanism."""
         return self.real
 
     @property
     def ring_pins(self) -> int:
-        """Pins of a ring of which pieces are drawn."""
+        """Number of ring pins whose deviations are drawn."""
         return 0
 
     @property
     def pairs(self) -> int:
-        """Pairs of a piece."""
+        """Number of pairs of a piece."""
         return self.real.mechanism.pins * self.real.mechanism.satellites
 
     def block(self, pieces: int) -> int:
-        """How many of the pieces are a block; where threads share them, there are some for each.
-
-        Parameters
-        ----------
-        pieces : int
-            How many there are.
-
-        Returns
-        -------
-        int
-        """
+        """Number of pieces in a block; each thread gets four blocks if there are enough pieces."""
         most = min(WORK // (self.asked.positions * self.pairs), LARGEST)
         if self.mapped is None:
             most = min(most, pieces // (4 * self.cores))
         return max(most, BLOCK)
 
     def values(self, pieces: Drawn) -> tuple[FloatArray, FloatArray]:
-        """Quantities of pieces, and which of them fit; on all processors, or where the study is
-        `mapped` to, with the same bits however they are split.
+        """Quantities of pieces in SI units, shape (pieces, quantities), and FITS, BINDS or NOWHERE.
 
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-
-        Returns
-        -------
-        values : array, shape (pieces, quantities)
-            SI units; NaN where a piece does not fit or cannot work.
-        fits : array, shape (pieces,)
-            FITS, BINDS or NOWHERE of the engine.
+        Values are NaN if a piece does not fit or cannot work. Blocks are calculated in threads, or
+        by `mapped`; results are bit-identical however pieces are split.
         """
         size = self.block(len(pieces))
         blocks = [pieces.part(first, first + size) for first in range(0, len(pieces), size)]
@@ -258,25 +194,12 @@ class Study:
         return self._columns(found)
 
     def in_threads(self, block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
-        """Blocks on all processors.
-
-        Parameters
-        ----------
-        block : callable
-            Calculates one.
-        blocks : sequence of Drawn
-            The pieces of each.
-
-        Returns
-        -------
-        iterator of Pieces
-            Their results, in their order.
-        """
+        """Results of blocks in their order, calculated in threads."""
         with ThreadPoolExecutor(self.cores) as threads:
             yield from threads.map(block, blocks)
 
     def _columns(self, found: Sequence[Pieces]) -> tuple[FloatArray, FloatArray]:
-        """Columns of what is asked, of the quantities of all blocks."""
+        """Values and fits, as `values` returns them, from the results of all blocks."""
         columns = {
             name: np.concatenate([getattr(each, name) for each in found])
             for name in type(found[0])._fields
@@ -284,92 +207,50 @@ class Study:
         for name in PRESSURES.intersection(self.asked.quantities):
             columns[name] = np.sqrt(self.square_pressure(name) * columns[name])
         values = np.stack([columns[name] for name in self.asked.quantities], axis=1)
-        values[np.isinf(values).any(axis=1)] = np.nan  # play without an end, at a dead centre
+        values[np.isinf(values).any(axis=1)] = np.nan  # a dead centre gives infinite play
         return values, columns["fits"]
 
     def values_of(self, pieces: Drawn) -> tuple[FloatArray, FloatArray]:
-        """The same of a few pieces, here.
-
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-
-        Returns
-        -------
-        values, fits : array
-            As `values` gives them.
-        """
+        """Values and fits, as `values` returns them, of a few pieces without threads."""
         return self._columns([self.drawn(pieces)])
 
     def drawn(self, pieces: Drawn) -> Pieces:
-        """Quantities of pieces, drawn where they are calculated.
-
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-
-        Returns
-        -------
-        Pieces
-        """
-        with np.errstate(invalid="ignore", divide="ignore"):  # of pieces that have no size
+        """Quantities of pieces whose deviations are drawn here."""
+        with np.errstate(invalid="ignore", divide="ignore"):  # pieces may have no size
             drives = self.drives(pieces)
         return self._rigid(drives) if self.rigid else self._solved(drives)
 
     def drives(self, pieces: Drawn) -> model.Pieces:
-        """Drives of pieces, as the engine takes them.
-
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-
-        Returns
-        -------
-        Pieces
-        """
+        """Drives of pieces as the engine takes them."""
         return output_pieces(output=self.real, errors=pieces.rows())
 
     @property
     def rigid(self) -> bool:
-        """True where discs and pins are rigid, for which there is a quicker loop."""
+        """True if discs and pins are rigid, for which there is a quicker loop."""
         real = self.real
         return real.exact and real.springs == model.RIGID and not real.support.given_shares
 
     @property
     def cores(self) -> int:
-        """How many threads."""
+        """Number of threads."""
         return self.threads or len(os.sched_getaffinity(0))
 
     @property
     def under_load(self) -> bool:
-        """Whether anything is asked that takes the forces under the torque."""
+        """True if a quantity needs the forces under the torque."""
         return bool({*self.asked.quantities} - {"backlash_max", "lost_motion"})
 
     def places(self, count: int) -> tuple[float, ...]:
-        """Angles at which pieces are solved, evenly over a turn of the wave.
-
-        Parameters
-        ----------
-        count : int
-            How many.
-
-        Returns
-        -------
-        tuple of float
-            rad.
-        """
+        """Angles at which pieces are solved, even over a turn of the wave, rad."""
         return tuple(2 * math.pi * k / count for k in range(count))
 
     @property
     def looked(self) -> FloatArray:
-        """Angles at which is looked whether a piece goes together, rad."""
+        """Angles at which a piece is checked for fit, rad."""
         return np.array(self.places(engine.FIT_POSITIONS))
 
     def _rigid(self, drives: model.Pieces) -> Pieces:
-        """Quantities of pieces whose discs are rigid."""
+        """Quantities of pieces with rigid discs."""
         asked, sound, blank = self.asked, drives.sound, np.zeros
         gf, cf = (each if sound.all() else each[sound] for each in (drives.gf, drives.cf))
         places, count = np.array(self.places(asked.positions)), len(gf)
@@ -396,7 +277,7 @@ class Study:
         return Pieces(fits, *np.array([each[1] or NOTHING for each in found]).T)
 
     def _piece(self, room: Solved, looked: FloatArray) -> tuple[int, tuple[float, ...] | None]:
-        """Whether a piece fits, and its extremes: nothing where it does not, or cannot work."""
+        """FITS, BINDS or NOWHERE of a piece, and its quantities, None if it cannot work."""
         asked = self.asked
         fits = engine.goes_together(looked, room.drive, room.work, room.rows[0])
         if fits != FITS:
@@ -425,105 +306,35 @@ class Study:
         return fits, (one, pressed, lag, most[engine.PLAY], lost, stiffness, ring, ring_pressed)
 
     def piece(self, pieces: Drawn, index: int) -> RealMechanism:
-        """The mechanism of one piece.
-
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-        index : int
-            Which of them.
-
-        Returns
-        -------
-        RealMechanism
-        """
+        """Mechanism of one piece with its deviations."""
         return replace(self.real, deviations=self.deviations(pieces, index))
 
     def deviations(self, pieces: Drawn, index: int) -> Deviations:
-        """Those of one piece, but for a ring's.
-
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-        index : int
-            Which of them.
-
-        Returns
-        -------
-        Deviations
-        """
+        """Deviations of one piece without those of a ring."""
         rows = pieces.part(index, index + 1).rows()._asdict()
         return deviations(
             rows={name: row for name, (row,) in rows.items()}, pins=self.real.mechanism.pins
         )
 
     def refuse(self, pieces: Drawn) -> None:
-        """Refuse what cannot work of the first piece.
-
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-
-        Raises
-        ------
-        ImpossibleMechanism
-            If it cannot.
-        """
+        """Raise ImpossibleMechanism if the first piece cannot work."""
         asked = self.asked
         turn = self.turn_of(pieces, 0)
         for kind in (turn.force, LOST):
             turn.values(kind, self.places(asked.positions))
 
     def turn_of(self, pieces: Drawn, index: int) -> Turn:
-        """One piece under the torque, over the turn.
-
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-        index : int
-            Which of them.
-
-        Returns
-        -------
-        Turn
-        """
+        """One piece under the torque over the turn."""
         piece = self.piece(pieces, index)
         return Turn(piece, self.asked.output_torque, self.asked.lost_motion_share)
 
     def square_pressure(self, name: str) -> float:
-        """Square of a quantity that is a pressure, over what the engine says of it.
-
-        Parameters
-        ----------
-        name : str
-            Of the quantity.
-
-        Returns
-        -------
-        float
-        """
+        """Square of a pressure over the value that the engine has for it."""
         real = replace(self.output, deviations=Deviations())
         return float(real.contact(0, 1.0).max_pressure ** 2 / real.curved[0])
 
     def grid_errors(self, pieces: Drawn, values: FloatArray) -> dict[str, float]:
-        """What the positions miss of each quantity.
-
-        Parameters
-        ----------
-        pieces : Drawn
-            The pieces.
-        values : array, shape (pieces, quantities)
-            Their quantities.
-
-        Returns
-        -------
-        dict of float
-            By the names of the quantities, relative.
-        """
+        """Relative error of each quantity by the finite number of positions, by name."""
         missed = self.missed_by_finer(pieces, values, FINER, narrowed=("peak_force",))
         if "peak_force" in self.asked.quantities:
             missed["peak_force"] = _missed_peak(self, pieces, values)
@@ -532,22 +343,10 @@ class Study:
     def missed_by_finer(
         self, pieces: Drawn, values: FloatArray, times: int, narrowed: Sequence[str] = ()
     ) -> dict[str, float]:
-        """What the first pieces have at so many times as many positions and one more, over what
-        they have at those asked: places between which a grid lies evenly miss what it misses.
+        """Relative error of the quantities that are not ``narrowed``, by name.
 
-        Parameters
-        ----------
-        pieces, values : Drawn and array
-            As `grid_errors` takes them.
-        times : int
-            How many times as many, but for the one.
-        narrowed : sequence of str
-            Quantities that are left out.
-
-        Returns
-        -------
-        dict of float
-            By the names of the quantities, relative.
+        The first pieces are solved at ``times`` as many positions and one more: a plain multiple
+        would miss what the coarse grid misses.
         """
         asked, missed = self.asked, {}
         others = tuple(name for name in asked.quantities if name not in narrowed)
@@ -564,21 +363,9 @@ class Study:
 
 
 def tolerance_study(study: Study) -> ToleranceStudy:
-    """Quantities of many pieces, the nominal one, and what the positions miss.
+    """Quantities of many pieces and of the nominal one, with the error of the angle grid.
 
-    Parameters
-    ----------
-    study : Study
-        Design, tolerances, what is asked.
-
-    Returns
-    -------
-    ToleranceStudy
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If the piece at the middle of all limits cannot work.
+    Raises ImpossibleMechanism if the piece at the middle of all limits fits and cannot work.
     """
     nominal = _nominal(study)
     pieces = study.pieces()
@@ -595,9 +382,7 @@ def tolerance_study(study: Study) -> ToleranceStudy:
 
 
 def _nominal(study: Study) -> dict[str, float]:
-    """Quantities of the piece at the middle of all limits; a refusal where it fits and cannot
-    work.
-    """
+    """Quantities of the piece at the middle of all limits; empty if that piece does not fit."""
     middle = study.pieces(tolerances=study.tolerances.middle).part(0, 1)
     (values,), (fits,) = study.values_of(middle)
     if fits != FITS:
@@ -608,7 +393,7 @@ def _nominal(study: Study) -> dict[str, float]:
 
 
 def _missed_peak(study: Study, pieces: Drawn, values: FloatArray) -> float:
-    """Mean of what the positions miss of the peak, over the samples of the highest peaks."""
+    """Mean relative error of the peak force over the pieces with the highest peaks."""
     peaks = values[:, study.asked.quantities.index("peak_force")]
     order = [i for i in np.argsort(-peaks) if not np.isnan(peaks[i])]
     order = order[: min(WORST, math.ceil(len(peaks) / 10))]

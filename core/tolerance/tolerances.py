@@ -1,4 +1,4 @@
-"""What the parts are made to, and pieces drawn from it."""
+"""Tolerances of the parts, and pieces drawn from them."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -21,19 +21,20 @@ from core.tolerance.draws import (
 
 @dataclass(frozen=True, slots=True)
 class Tolerances:
-    """What the parts are made to; None is exact."""
+    """Tolerances of the parts; None is exact."""
 
-    pin_position: float | None = None  # diameter of the zone of the centres, m
-    hole_position: float | None = None  # likewise
+    pin_position: float | None = None  # diameter of the zone of output pin centres, m
+    hole_position: float | None = None  # diameter of the zone of hole centres, m
     pin_radius: Spread | None = None  # deviation of the radius, not of the diameter, m
-    hole_radius: Spread | None = None  # likewise
+    hole_radius: Spread | None = None  # deviation of the radius, not of the diameter, m
     eccentricity: Spread | None = None  # deviation, m
     crank_phase: Spread | None = None  # rad
     disc_phase: Spread | None = None  # rad
-    ring_pin_position: float | None = None  # as of the pins, of those of a ring
-    ring_pin_radius: Spread | None = None  # likewise
-    equidistant: Spread | None = None  # of the modification, m; one tool cuts all discs of a piece
-    modification_pin_circle: Spread | None = None  # likewise
+    ring_pin_position: float | None = None  # diameter of the zone of ring pin centres, m
+    ring_pin_radius: Spread | None = None  # deviation of the radius, not of the diameter, m
+    # Deviations of the modification, m; one tool cuts all discs of a piece.
+    equidistant: Spread | None = None
+    modification_pin_circle: Spread | None = None  # deviation of the tool's circle radius, m
 
     def __post_init__(self) -> None:
         zones = {name: zone for name, zone in self._given.items() if name.endswith("position")}
@@ -41,27 +42,17 @@ class Tolerances:
 
     @property
     def _given(self) -> dict[str, Any]:
-        """What varies: diameters of zones, and spreads."""
+        """Position tolerances and spreads that are not None, by name."""
         every = {name: getattr(self, name) for name in KINDS}
         return {name: each for name, each in every.items() if each is not None}
 
     @property
     def sources(self) -> tuple[str, ...]:
-        """Names of what varies."""
+        """Names of the tolerances that are given."""
         return tuple(self._given)
 
     def ends(self, source: str) -> tuple[float, float]:
-        """Least and largest deviation of a source: 0 of what is exact.
-
-        Parameters
-        ----------
-        source : str
-            Name of the source.
-
-        Returns
-        -------
-        tuple of float
-        """
+        """Least and largest deviation of a source; 0 if it is exact."""
         given = self._given.get(source, 0.0)
         if isinstance(given, Spread):
             return given.lower, given.upper
@@ -69,7 +60,7 @@ class Tolerances:
 
     @property
     def mean_clearance(self) -> float:
-        """What the middles of all limits add to the radial clearance of pin and hole, m."""
+        """Radial clearance of pin and hole that the middles of all limits add, m."""
         hole, pin, crank = (
             sum(self.ends(source)) / 2 for source in ("hole_radius", "pin_radius", "eccentricity")
         )
@@ -77,7 +68,7 @@ class Tolerances:
 
     @property
     def middle(self) -> "Tolerances":
-        """Of which all pieces are at the middle of all limits."""
+        """Tolerances with all sources at the middle of their limits."""
         found = self
         for source in self.sources:
             found = found.without(source)
@@ -85,21 +76,11 @@ class Tolerances:
 
     @property
     def of_ring(self) -> tuple[str, ...]:
-        """Names of what varies of a ring and the discs on it."""
+        """Names of the given tolerances of a ring and its discs."""
         return tuple(name for name in self.sources if name in OF_RING)
 
     def without(self, source: str) -> "Tolerances":
-        """The same with a source at the middle of its limits.
-
-        Parameters
-        ----------
-        source : str
-            Name of the source.
-
-        Returns
-        -------
-        Tolerances
-        """
+        """Tolerances with one source at the middle of its limits."""
         given = getattr(self, source)
         if isinstance(given, Spread):
             middle = (given.lower + given.upper) / 2
@@ -108,52 +89,36 @@ class Tolerances:
 
 
 class RingRows(NamedTuple):
-    """Deviations of the pins of rings, and of the tools of their discs, a row for each piece."""
+    """Deviations of ring pins and of the tools of discs, one row for each of n pieces."""
 
     ring_pin_radial: FloatArray  # m, shape (n, z_p)
-    ring_pin_tangential: FloatArray  # m, (n, z_p)
-    ring_pin_radius: FloatArray  # m, (n, z_p)
-    equidistant: FloatArray  # of the modification, m, (n, 1)
-    modification_pin_circle: FloatArray  # m, (n, 1)
+    ring_pin_tangential: FloatArray  # m, shape (n, z_p)
+    ring_pin_radius: FloatArray  # m, shape (n, z_p)
+    equidistant: FloatArray  # change of the tool radius, m, shape (n, 1)
+    modification_pin_circle: FloatArray  # change of the tool's circle radius, m, shape (n, 1)
 
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """Pieces that a seed draws, made where they are calculated; none hangs on the others."""
+    """Pieces drawn by a seed when they are calculated; no piece depends on others."""
 
     tolerances: Tolerances
-    pins: int  # N
-    satellites: int  # K
-    seed: int  # of the study
-    samples: range  # numbers of the pieces, one after the other
+    pins: int  # number N of output pins
+    satellites: int  # number K of discs
+    seed: int  # seed of the study
+    samples: range  # consecutive numbers of the pieces
     other: tuple[str, ...] = ()  # sources that are drawn from the second, independent sample
-    ring_pins: int = 0  # z_p of a ring
+    ring_pins: int = 0  # number z_p of ring pins
 
     def __len__(self) -> int:
         return len(self.samples)
 
     def part(self, first: int, last: int) -> "Drawn":
-        """Some of them.
-
-        Parameters
-        ----------
-        first, last : int
-            Of these pieces the first one, and the one after the last.
-
-        Returns
-        -------
-        Drawn
-        """
+        """Pieces from index ``first`` to before ``last``."""
         return replace(self, samples=self.samples[first:last])
 
     def rows(self) -> Errors[FloatArray]:
-        """Deviations of the pieces.
-
-        Returns
-        -------
-        Errors
-            A table of each deviation, C-contiguous: a row for each piece.
-        """
+        """Deviations of the pieces, C-contiguous tables with one row for each piece."""
         counts = {"pin": self.pins, "hole": self.pins * self.satellites}
 
         def many(name: str) -> int:
@@ -165,12 +130,7 @@ class Drawn:
         return Errors(**tables)
 
     def ring_rows(self) -> RingRows:
-        """The same of the ring's pins, and of the tools.
-
-        Returns
-        -------
-        RingRows
-        """
+        """Deviations of the ring pins and of the tools of the pieces."""
 
         def many(name: str) -> int:
             return self.ring_pins if name.startswith("ring_pin") else 1
@@ -183,7 +143,7 @@ class Drawn:
     def _fill(
         self, tables: Mapping[str, FloatArray], sources: Mapping[str, tuple[str, int]]
     ) -> None:
-        """Draw sources, each of what and of how many parts, into the tables of their names."""
+        """Draw sources, given as kind of part and count by name, into the tables."""
         numbers = self._numbers({source: count for source, (_, count) in sources.items()})
         for source, (of, _) in sources.items():
             given = getattr(self.tolerances, source)
@@ -197,9 +157,7 @@ class Drawn:
             tables[f"{of}_radial"][:], tables[f"{of}_tangential"][:] = radial.T, tangential.T
 
     def _numbers(self, counts: Mapping[str, int]) -> dict[str, list[FloatArray]]:
-        """Numbers of the streams of sources of so many parts, those of normal ones as such; all in
-        one pass.
-        """
+        """Random numbers of each source, in one pass; those of normal sources are normal."""
 
         def normal(source: str) -> bool:
             given = getattr(self.tolerances, source)
@@ -224,18 +182,12 @@ class Drawn:
 
 
 def deviations(*, rows: Mapping[str, FloatArray], pins: int) -> Deviations:
-    """Deviations of one piece.
+    """Deviations of one piece from flat rows by the names of `Deviations`.
 
     Parameters
     ----------
     rows : mapping of str to array
-        Flat rows by the names of `Deviations`.
     pins : int
-        Number N.
-
-    Returns
-    -------
-    Deviations
     """
 
     def entries(name: str, row: FloatArray) -> tuple[object, ...]:
