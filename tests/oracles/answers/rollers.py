@@ -128,6 +128,10 @@ def tired_numbers(body: Body, answer: Any) -> Numbers:
     """Those of the rollers, and their stress as a cycle."""
     found = numbers(body, answer)
     top = found["/bending_stress_MPa"].exact
+    named = {"notch", "fatigue_notch_factor", "endurance_limit_MPa"} & {*body["fatigue"]}
+    if not named and body["stress_concentration"] == 1:  # the notch is unknown
+        assert "fatigue" not in answer
+        return found
     if "endurance_limit_MPa" in body["fatigue"]:  # in which the notch is
         top /= typed(body["stress_concentration"])
     tensile, yields = (typed(body[f"{name}_strength_MPa"]) for name in ("tensile", "yield"))
