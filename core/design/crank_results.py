@@ -16,10 +16,7 @@ MOST_BEARING_PAIRS = 2000
 
 
 class CrankResults:
-    """Results of a design about its crank in SI units.
-
-    `output` has the forces on the output pins and `ring` those of the ring.
-    """
+    """Results of a design about its crank in SI units."""
 
     def __init__(self, output: OutputForces, ring: RingResults) -> None:
         self.design, self.output, self.ring = output.design, output, ring

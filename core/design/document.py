@@ -166,9 +166,7 @@ class Design:
                 raise InvalidInput(name, on_shaft[index], "other_pitch", limit=abs(there))
 
     def _check_thickness(self) -> None:
-        """Refuse a pin thicker than the surface that touches the hole, and a bore nearly as wide as
-        its pin.
-        """
+        """Refuse a pin thicker than its sleeve, and a bore nearly as wide as its pin."""
         bore, widest = (self.pin.bore_diameter, self.pin.diameter) if self.pin else (0.0, 0.0)
         if bore > MOST_BORE * widest:
             limit = MOST_BORE * widest
@@ -203,9 +201,7 @@ class Design:
                 raise InvalidInput("gear.sleeve_bore_radius", bore, "smaller_than", **than)
 
     def _check_rollers(self) -> None:
-        """Refuse rollers that do not fit onto their pins or into the holes, and a sleeve beside
-        rollers.
-        """
+        """Refuse rollers that do not fit pins and holes, and a sleeve beside rollers."""
         rollers = self.rollers
         if not rollers:
             return
@@ -217,9 +213,7 @@ class Design:
             raise InvalidInput("friction.sleeve", True, "only_one", field="rollers")
 
     def _check_distribution(self) -> None:
-        """Refuse a load-sharing factor below 1, or one that gives a satellite more than the whole
-        torque.
-        """
+        """Refuse a load-sharing factor below 1, or above the whole torque for one satellite."""
         name = "contact.distribution_factor"
         factor, most = (self.contact.distribution_factor if self.contact else 1.0), math.inf
         if self.distribution_of == "discs":
@@ -283,9 +277,7 @@ class Design:
 
     @property
     def as_made(self) -> bool:
-        """True if clearance, deviations, a contact law or elastic satellites are stated, or both
-        meshes are in series.
-        """
+        """True if clearance, deviations, contact law, elasticity or meshes in series are stated."""
         clearance = self.play
         if self.touching and not self.clearance_unknown:
             clearance += self.roller_play
@@ -331,9 +323,7 @@ class Design:
 
     @property
     def lobes(self) -> int:
-        """Number of lobes of a cycloid disc; `NotKnown` if the ratio as typed gives no whole
-        number.
-        """
+        """Number of lobes of a cycloid disc; `NotKnown` if a typed ratio gives no whole number."""
         ratio = self.mechanism.ratio
         lobes = ratio * (self.gear.teeth_difference or 1)
         if abs(lobes - round(lobes)) > AS_TYPED * lobes:
@@ -347,9 +337,7 @@ class Design:
 
     @property
     def ring_length(self) -> float:
-        """Contact length of a disc on a ring pin, m; the length on the output pins if it is not
-        given.
-        """
+        """Contact length of a disc on a ring pin, m; if not given that on the output pins."""
         of_output = self.contact.contact_length if self.contact else None
         length = self.gear.contact_length or of_output
         return required(length, "size_missing", "gear.contact_length")
@@ -408,16 +396,12 @@ class Design:
 
     @property
     def clearance_unknown(self) -> bool:
-        """True if pins and holes are given, but no clearance is stated and their sizes leave none,
-        as for perfect parts.
-        """
+        """True if pins and holes are given, without a stated clearance or one by their sizes."""
         return self.touching and not (self.contact.clearance_stated or self.play)
 
     @derived
     def clearance(self) -> float:
-        """Radial clearance, m: hole radius less pin radius and eccentricity; below 0 with
-        interference.
-        """
+        """Radial clearance, m: hole radius less pin radius and eccentricity; overlap below 0."""
         pin = required(self.contact.pin_radius, "section_missing", "contact")
         hole = required(self.contact.hole_radius, "section_missing", "contact")
         return felt(clearance=hole - (pin + self.known_eccentricity), hole_radius=hole)
@@ -429,9 +413,7 @@ class Design:
 
     @property
     def scope(self) -> tuple[str, ...]:
-        """Required parts that are judged; teeth are left out without a ring, and ring and cranks
-        for a coupling.
-        """
+        """Requested parts of the reducer, without teeth or cranks that the design does not have."""
         none: tuple[str, ...] = ()
         if self.members.output == "coupling":
             none = RINGLESS
@@ -447,17 +429,13 @@ class Design:
 
     @property
     def distribution_of(self) -> SharedBy:
-        """Kind of uneven share that the load-sharing factor states, between satellites or between
-        pins.
-        """
+        """Origin of the uneven share that the load-sharing factor states."""
         stated = self.contact.distribution_of if self.contact else None
         return stated or ("discs" if self.mechanism.satellites > 1 else "pins")
 
     @property
     def distribution_factor(self) -> float:
-        """Load-sharing factor on the largest force; 1 if forces are solved, as their shares are
-        known then.
-        """
+        """Load-sharing factor on the largest force; 1 for solved forces, which include sharing."""
         return 1.0 if self.as_made or not self.contact else self.contact.distribution_factor
 
     @property
@@ -536,15 +514,11 @@ class Design:
 
     @property
     def turning_speed(self) -> float | None:
-        """Speed of the crank against the ring, rad/s, which counts load cycles; None if it is not
-        given or is 0.
-        """
+        """Speed of the crank against the ring, rad/s, for load cycles; None if not given or 0."""
         return (self.speeds and self.speeds.turning) or None
 
     def life_of(self, part: FatigueBasis | Friction) -> float:
-        """Time over which a part tires or wears, s: the part's own life, or the required one;
-        infinite if none is asked.
-        """
+        """Time of fatigue or wear of a part, s: its own or the required one; may be infinite."""
         return self.life if part.life is None else part.life
 
     def too_many(self, most: int) -> NotKnown:
@@ -562,9 +536,8 @@ class Design:
         return self.driven_by(-1.0 if reverse else 1.0)
 
     def driven_by(self, way: float) -> Mechanism:
-        """Ideal mechanism whose driving pairs carry at `way` = 1 (driving) or -1 (reverse). In
-        reverse the wave angle is shifted by pi, as pairs carry then where they would brake
-        otherwise.
+        """Ideal mechanism whose driving pairs carry at `way` = 1 (driving) or -1 (reverse), where
+        the wave angle is shifted by pi, as pairs carry then which would brake otherwise.
         """
         built = self.built
         if way > 0:
@@ -572,14 +545,12 @@ class Design:
         return replace(built, initial_crank_angle=built.initial_crank_angle + math.pi)
 
     def turns_over(self, life: float) -> float:
-        """Number of loads on a ring pin over a life, s: one per turn of the crank against the ring;
-        infinite without a speed or without an end of the life.
-        """
+        """Number of loads on a ring pin over a life, s, one per turn of the crank, or infinity."""
         return self._loads(life, 2 * math.pi)
 
     def loads_over(self, life: float) -> float:
         """Number of loads on a place of pin or hole over a life, s: one per turn of the satellite
-        against its crank; infinite without a speed or without an end of the life.
+        against its crank; infinity without a speed or an end of the life.
         """
         return self._loads(life, self.built.crank_angle_per_wave)
 
@@ -598,9 +569,7 @@ class Design:
         return {body: each.lasting(loads) for body, each in given.items() if each is not None}
 
     def known_material(self, body: Body) -> ElasticMaterial:
-        """Material of pin or hole, its limit for the loads over the life; `NotKnown` if it is not
-        given.
-        """
+        """Material of pin or hole, with its limit for the life's loads; `NotKnown` if not given."""
         return required(self.lasting.get(body), "section_missing", f"contact.{body}_material")
 
     @property
@@ -665,9 +634,7 @@ class Design:
 
     @property
     def teeth_friction(self) -> Spread:
-        """Range of the friction coefficient of plastic teeth: as given, 0 if flanks roll, else the
-        usual one.
-        """
+        """Range of the friction coefficient of plastic teeth: given, 0 if flanks roll, or usual."""
         friction = self.gear.friction_coefficient
         if friction is None and self.gear.rolls:
             friction = 0.0
@@ -678,9 +645,7 @@ class Design:
 
     @property
     def usual_in_holes(self) -> dict[str, Spread]:
-        """Usual values, by path, that judge plastic pins and holes and are not given, as far as
-        sources state them.
-        """
+        """Usual values, by path, that judge plastic pins and holes and are not given."""
         found = {
             path: spread
             for body in self.plastics
@@ -736,9 +701,7 @@ class Design:
 
     @property
     def disc_distance(self) -> float:
-        """Least distance of a hole's axis from bore or tooth roots over the hole's radius; infinite
-        if neither is known.
-        """
+        """Distance of a hole's axis to bore or tooth roots over the hole's radius, or infinity."""
         low, _ = self.roots
         circle, hole = self.load.pin_circle_radius, self.nominal_pair.hole_radius
         known = [low - circle] if low else []

@@ -274,9 +274,7 @@ def drawn_ring(*, design: Design, chord_error: float) -> DrawnRing:
 
 
 def drawn_teeth(*, design: Design, chord_error: float) -> DrawnTeeth:
-    """One pitch each of the involute satellites and the ring of a design, with their rotations;
-    raises as `drawn_ring` does.
-    """
+    """Pitches of the involute satellites and the ring of a design; raises as `drawn_ring` does."""
     pair, built = drawn_pair(design=design), design.built
     return DrawnTeeth(
         lobe=satellite_outline(pair=pair, chord_error=chord_error).points,

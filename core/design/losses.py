@@ -41,10 +41,7 @@ def made_losses(
 
 
 class LossResults:
-    """Results of a design about friction of its pins in SI units.
-
-    `output` has the forces on the output pins and `ring` those of the ring.
-    """
+    """Results of a design about friction of its pins in SI units."""
 
     def __init__(self, output: OutputForces, ring: RingResults) -> None:
         self.design, self.output, self.ring = output.design, output, ring

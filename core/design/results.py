@@ -1,7 +1,4 @@
-"""Results of a design, each calculated once, on first access.
-
-A result that is not known raises `NotKnown` with the reason.
-"""
+"""Results of a design; each is calculated once or raises `NotKnown` with the reason."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -80,8 +77,8 @@ class Results:
     ----------
     design : Design
     equal : bool
-        True lets satellites share the load equally, as the papers do, unless they do so unequally
-        for another reason than the bending of their pins.
+        True ignores the bending of pins, so that satellites of perfect parts share the load
+        equally, as the papers assume.
     """
 
     def __init__(self, design: Design, *, equal: bool = False) -> None:
@@ -142,9 +139,7 @@ class Results:
 
     @property
     def two_ways(self) -> bool:
-        """True if satellites of perfect parts, with unknown clearance, may share the load either
-        equally or by the bending of their pins.
-        """
+        """True if satellites of unknown clearance may share evenly or by the bending of pins."""
         return self.design.clearance_unknown and self.solved and not self.design.as_made
 
     def under(self, factor: float) -> "Results":
@@ -196,9 +191,7 @@ class Results:
 
     @derived
     def rooms(self) -> Rooms:
-        """Positions of the pins in their holes by geometry, for at most `MOST_REAL_PAIRS` pairs, or
-        `MOST_GIVING_PAIRS` with elastic satellites.
-        """
+        """Positions of pins in holes by geometry, for at most `MOST_REAL_PAIRS` pairs."""
         design = self.design
         radius, pair = design.load.pin_circle_radius, design.pair
         most = MOST_GIVING_PAIRS if design.support.gives else MOST_REAL_PAIRS
@@ -254,9 +247,7 @@ class Results:
 
     @derived
     def grip(self) -> Grip:
-        """Bolt and spacer under the largest moment and shear at the root, dynamic or at the peak
-        torque, as the spacer carries them.
-        """
+        """Bolt and spacer under the largest root moment and shear, dynamic or at peak torque."""
         pin = self.design.pin
         bolt = required(pin.bolt, "section_missing", "pin")
         spacer = Results(
@@ -343,9 +334,7 @@ class Results:
         return OverTurn(turn)
 
     def forces_at(self, crank_angle: float) -> tuple[tuple[float, ...], ...]:
-        """Solved forces on the pins, N, K x N, at a crank angle, rad, under the working torque in
-        the direction of the larger pressure.
-        """
+        """Forces on the pins, N, K x N, at a crank angle, rad, in the worse direction."""
         solved = self.real_forces
         given = {"crank_angle": crank_angle, "output_torque": solved.way * solved.torque}
         if self.in_series:
@@ -427,9 +416,7 @@ class Results:
 
     @derived
     def pin_stresses(self) -> PinStresses:
-        """Stresses of the pins under the dynamic load, for at most `MOST_PIN_PAIRS` pairs, or
-        `MOST_REAL_PAIRS` with a tie ring.
-        """
+        """Stresses of the pins under the dynamic load, for at most `MOST_PIN_PAIRS` pairs."""
         if not self.design.pin:
             raise NotKnown("section_missing", "pin")
         self.limit_pairs(MOST_REAL_PAIRS if self.design.tied else MOST_PIN_PAIRS)
@@ -626,9 +613,7 @@ class Results:
         }
 
     def disc_of(self, contact: HertzContact) -> Notice | None:
-        """Notice that the disc ends so near to its holes that the pressure of a conformal contact
-        is inexact or not known.
-        """
+        """Notice that holes near the disc's edge make a conformal pressure inexact or unknown."""
         if not contact.is_conformal:
             return None
         distance = self.design.disc_distance
@@ -642,8 +627,7 @@ class Results:
         return Notice("finite_disc", params) if error else None
 
     def ovals_under(self, factor: float) -> bool:
-        """True if holes so near to the disc's edge leave the pressure at a torque factor unknown.
-        """
+        """True if holes near the disc's edge leave the pressure at a torque factor unknown."""
         near = self.design.disc_distance < OVALS
         return near and self.static_contact_at(factor).is_conformal
 

@@ -90,8 +90,8 @@ class CycloidRing(AnyRing):
     ring_pin_radius: float | None = None  # r_p of the pins, m
     modification: Modification | None = None  # None: not known
     contact_law: ContactLaw | None = None  # elastic law of pin and disc; None: by Hertz
-    pin_material: ElasticMaterial | None = None
-    disc_material: ElasticMaterial | None = None
+    pin_material: ElasticMaterial | None = None  # material of the pins
+    disc_material: ElasticMaterial | None = None  # None: material of the holes
     # "seat": in half a bore; "supported": both ends held, free to tilt; "fixed": both ends clamped.
     pin_support: RingPinSupport = "seat"
     span: float | None = None  # distance of the two supports, m
@@ -228,8 +228,8 @@ class InvoluteRing(AnyRing):
     cutter_teeth: int | None = None  # teeth of the ring's shaper cutter; None: not known
     cutter_profile_shift: float = 0.0  # in modules
     cutter_addendum: float = DEDENDUM  # in modules
-    satellite_material: ElasticMaterial | None = None
-    ring_material: ElasticMaterial | None = None
+    satellite_material: ElasticMaterial | None = None  # None: material of the holes
+    ring_material: ElasticMaterial | None = None  # material of the ring's teeth
     face_load_factor: float = 1.0  # on the force for stresses along the width
     pair_stiffness: float | None = None  # stiffness of a tooth pair along the line of action, N/m
     root_strength: float | None = None  # allowable root stress of a satellite over the life, Pa

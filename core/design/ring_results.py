@@ -202,9 +202,7 @@ class RingResults:
         return material.known_strength(own, self.design.teeth_path(body))
 
     def cold_limit(self, body: RingBody, *, most: bool = False) -> float:
-        """Least pressure at which plastic teeth may yield at once, Pa; with `most` the pressure at
-        which they do for certain.
-        """
+        """Pressure at which plastic teeth may yield at once, Pa; with `most` certainly yield."""
         material, design = self.design.plastic_teeth[body], self.design
         if most:
             return material.most_pressure(if_known(lambda: design.teeth_friction.low))
@@ -286,8 +284,6 @@ class RingResults:
 
     @derived
     def pv(self) -> float:
-        """Largest pressure times sliding speed on the ring pins, Pa*m/s, in either direction, of
-        the satellite that carries most.
-        """
+        """Largest pressure times sliding speed on the ring pins, Pa*m/s, in the worse direction."""
         found = self._losses(self.design.pin_torque * self.design.ring_factor)
         return max(each.peak_pv for each in found)

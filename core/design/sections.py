@@ -121,8 +121,8 @@ class SatelliteBody:
 class Temperatures:
     """Temperatures of parts at work, as far as they are given, degrees Celsius."""
 
-    satellite: float | None = None
-    pins: float | None = None
+    satellite: float | None = None  # temperature of the satellites
+    pins: float | None = None  # temperature of the pins
 
 
 USUAL_LIFE = 5000 * 3600.0
