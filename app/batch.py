@@ -137,7 +137,7 @@ router = APIRouter(tags=["batch"])
 async def batch(request: Request) -> Response:
     """Answers in the order of the requests, each with its result or its problem.
 
-    With `Accept: application/x-ndjson` the answer has a line for each request, numbered from 0 by
+    The header `Accept: application/x-ndjson` asks for a line for each request, numbered from 0 by
     its `index`. Answers of both forms are sent as soon as they are done. An entry of `ids` comes
     back as the `id` of its request.
     """
@@ -210,9 +210,7 @@ async def answers(
 
 
 def lines(tell: Tell, requests: list[bytes], settings: Settings, errors: int, *, name: str) -> None:
-    """Answers to as many of the first requests as time allows, and the number of wrong fields of
-    each.
-    """
+    """Answers to as many first requests as time allows, with the number of wrong fields of each."""
     end, size = time.monotonic() + SLICE_S, 0
     for request in requests:
         line, named = _line(CALCULATIONS[name], request, settings, errors)

@@ -32,8 +32,7 @@ CORE = Path(__file__).parent.parent / "core"
 
 
 class Lost(Exception):
-    """Loss of the cluster: unreachable, without workers, or of another version, as its text says.
-    """
+    """Loss of the cluster: unreachable, without workers, or of another version."""
 
 
 @cache

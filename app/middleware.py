@@ -45,9 +45,7 @@ NO_GZIP = re.compile(rb"gzip\s*;\s*q=0(\.0*)?\s*(,|$)")
 
 
 class Requests:
-    """Middleware that keeps the record of every request, completes its answer, and answers on
-    failures.
-    """
+    """Middleware that records every request, completes its answer, and answers on failures."""
 
     def __init__(self, app: ASGIApp, settings: Settings) -> None:
         self.app = app

@@ -133,9 +133,7 @@ paths."""
 
 
 def _complete_schema(schema: dict[str, Any]) -> None:
-    """Complete a JSON schema: unit of each field from its name, descriptions in one line, no null
-    defaults.
-    """
+    """Complete a JSON schema: units by names, descriptions in one line, no null defaults."""
     for name, field in schema.get("properties", {}).items():
         if "description" in field:
             field["description"] = " ".join(field["description"].split())
@@ -171,24 +169,24 @@ class RequestModel(BaseModel):
     )
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
-    """Forms of which just one has to be given, each its names in JSON; an empty one says that none
-    need be."""
+    """Forms of which exactly one has to be given, as names in JSON; an empty form makes all
+    optional."""
 
     KIND: ClassVar[str] = "kind"
-    """The field that says of which kind it is."""
+    """Field that states the kind of the model."""
 
     OF_OTHERS: ClassVar[tuple[str, str]] = ("of_another_kind", "kind")
-    """Code of what belongs to another one, and its parameter that names the one that is given."""
+    """Error code of a field of another kind, and the parameter that names the given kind."""
 
     KINDS: ClassVar[Kinds] = {}
-    """What its kinds have; fields that no kind has are those of all. None: without a kind."""
+    """Fields by kind, with None for no kind; fields in no kind belong to all kinds."""
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = ()
-    """Rules between its fields, which the JSON schema has too, and those that reach into the
-    models within, which it has not."""
+    """Rules between fields. The JSON schema has those between own fields, but not those that reach
+    into nested models."""
 
     RULES: ClassVar[tuple[dict[str, Any], ...]] = ()
-    """What its JSON schema says besides, of which a validator says the same."""
+    """Further rules of the JSON schema, which a validator checks too."""
 
     def __init_subclass__(cls, *, group: str | None = None, **config: Any) -> None:
         super().__init_subclass__(**config)
@@ -211,9 +209,7 @@ class RequestModel(BaseModel):
         return core_paths(self.shape)
 
     def path_of(self, parameter: str) -> tuple[str | int, ...]:
-        """Path of the field of a core parameter, such as ``rollers[2].z_max``; empty if there is
-        none.
-        """
+        """Path of the field of a core parameter, as ``rollers[2].z_max``; empty without a field."""
         path = self.core_paths.get(parameter, ())
         if path or "[" not in parameter:
             return path
@@ -295,7 +291,8 @@ class RequestModel(BaseModel):
         return {plan[name].core: plan[name].convert(value) for name, value in self.given.items()}
 
     ASSUMED: ClassVar[tuple[str, ...]] = ()
-    """Fields whose default decides about the answer, which says so where they are not given."""
+    """Fields whose default decides about the answer, which states the default if they are not
+    given."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Path and value of each field that is assumed, as it is not given."""
@@ -476,7 +473,7 @@ class ResponseModel(BaseModel):
     model_config = ConfigDict(json_schema_extra=_complete_schema, allow_inf_nan=False)
 
     BESIDE: ClassVar[tuple[str, ...]] = ()
-    """Fields that are no attributes of the result: said beside it, else absent."""
+    """Fields that are not attributes of the result: given beside it, or absent."""
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
@@ -578,7 +575,7 @@ class Calculation:
 class StudyCalculation(Calculation):
     """Calculation that may take long and reports its progress."""
 
-    reporting: Callable[[Any, Report], Values]  # as `solve`, with a progress report
+    reporting: Callable[[Any, Report], Values]  # function `solve` with a progress report
 
     def solved(self, body: Any, report: Report) -> Values:
         """Values of the answer to a request; progress is reported."""
@@ -608,8 +605,7 @@ class _Plan(NamedTuple):
     """Conversion of a core result to an answer."""
 
     read: list[tuple[str, str, Convert, bool]]
-    """What is read from it: name, core's name, what makes a value of it that is sent, and whether
-    it has to be there."""
+    """Name, core name, conversion of the value, and True if the value is required."""
     warns: bool
     states_accuracy: bool
 

@@ -1,7 +1,7 @@
 """Log line and metrics of each request.
 
-With several workers prometheus-client adds the metrics of all through files if
-``PROMETHEUS_MULTIPROC_DIR`` names a directory; `app.serve` sets it.
+If ``PROMETHEUS_MULTIPROC_DIR`` names a directory, which `app.serve` sets for several workers,
+prometheus-client adds the metrics of all through files.
 """
 
 import atexit
@@ -76,9 +76,7 @@ BUILD.labels(VERSION, current().build).set(1)
 
 
 class Output(logging.Handler):
-    """Handler that writes lines to the standard output in a thread, so that a slow reader blocks
-    nothing.
-    """
+    """Handler that writes lines to the standard output in a thread; nothing waits for it."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -115,9 +113,7 @@ class Output(logging.Handler):
 
 
 class JsonLines(logging.Formatter):
-    """Formatter with one JSON object per line: time, level, and the message or the fields of a
-    request.
-    """
+    """Formatter with one JSON object per line: time, level, message or fields of a request."""
 
     def format(self, record: logging.LogRecord) -> str:
         """Line of a record."""

@@ -82,9 +82,7 @@ async def wanted(record: Record) -> AsyncIterator[None]:
 
 
 def told(tell: Callable[..., None], job: Job, args: tuple[Any, ...]) -> None:
-    """Do a job in this process, and return each part with the run time of its calculations, or the
-    error.
-    """
+    """Do a job in this process, and return each part with its calculation time, or the error."""
     record = Record()
     at_hand.set(record)
 

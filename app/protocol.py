@@ -116,8 +116,8 @@ class PatientProtocol(HttpToolsProtocol):
         super().on_message_complete()
 
     def on_response_complete(self) -> None:
-        """End a connection that sends more than was requested. Its data are dropped for as long as
-        an idle connection is kept, so that the client can read the answer.
+        """End a connection that sends more than was requested. Surplus data are dropped for as long
+        as an idle connection is kept, so that the client can read the answer.
         """
         self.ending |= self.cycle.more_body
         super().on_response_complete()

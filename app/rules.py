@@ -61,8 +61,8 @@ def wrong_form(model: Any, forms: Forms, stated: set[str]) -> PydanticCustomErro
 
 
 class Rule(NamedTuple):
-    """Rule between two fields, by their paths (``load/input_speed_rpm``). It reads as a sentence:
-    the field that is refused if the rule fails, and the other field that the refusal names.
+    """Rule between two fields, by their paths (``load/input_speed_rpm``), read as a sentence: the
+    field that is refused if the rule fails, and the other field that the refusal names.
     """
 
     field: str

@@ -102,9 +102,7 @@ class Settings(BaseSettings):
 
     @classmethod
     def from_environment(cls) -> Self:
-        """Settings by the environment; a wrong value or an unknown setting raises ValueError, in
-        one line that names it.
-        """
+        """Settings by the environment; ValueError names a wrong value or an unknown setting."""
         names = {PREFIX + name.upper() for name in cls.model_fields}
         for name in os.environ:
             if name.upper().startswith(PREFIX) and name not in names:

@@ -627,7 +627,7 @@ def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
         found += (Notice("meshes_apart", {"forces": forces, "limit": MOST_IN_SERIES}),)
     if body.judges or "hertz" in body.sections:
         found += notices_of(if_known(lambda: results.disc_of(results.hertz)))
-    if "pin_strength" not in body.sections:  # that section states it
+    if "pin_strength" not in body.sections:  # the section states the notice itself
         found += results.size_notices
     return found
 

@@ -62,9 +62,7 @@ class FatigueFields(RequestModel, group="fatigue"):
 
 
 class PinFatigueFields(FatigueFields, group="fatigue"):
-    """Basis of the fatigue strength of a pin, which is loaded once per turn of the crank against
-    the pins.
-    """
+    """Basis of the fatigue strength of a pin, loaded once a turn of the crank against the pins."""
 
     life_h: Maybe[Size] = quantity("Life", "L", step=500)
     """Time that the pins have to last: for fewer than a million cycles their strength is above the

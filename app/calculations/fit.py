@@ -170,9 +170,7 @@ def room_accuracy(rooms: Rooms) -> Accuracy:
 
 
 def fit_figure(rooms: Rooms, theme: Theme) -> Figure:
-    """Room over a turn of the wave, in all and of each satellite, with its least place; jammed
-    stretches are shaded.
-    """
+    """Room over a turn of the wave, in all and of each satellite, with jammed stretches shaded."""
     mechanism, room = rooms.mechanism, rooms.room
     end = mechanism.crank_angle_per_wave
     blocked = rooms.blocked() if room.state == "binds_in_turning" else ()

@@ -227,8 +227,8 @@ comes near 0, and the efficiency fills its plot."""
 def loss_figure(
     losses: PinLosses, curves: LossCurves, switching_deg: FloatArray, theme: Theme
 ) -> Figure:
-    """Loss over the turn above, efficiency below, each with its mean; switching angles, degrees,
-    thin.
+    """Loss over the turn above, efficiency below, each with its mean and switching angles
+    (degrees).
     """
     angles = from_si("crank_angle_deg", curves.crank_angle)
     end = float(angles[-1])

@@ -1,6 +1,4 @@
-"""Ring of a request: pins and discs of a cycloid, or other teeth that press the satellites along
-their cranks.
-"""
+"""Ring of a request: pins and discs of a cycloid, or other teeth that load the satellites."""
 
 from collections.abc import Iterator
 from functools import partial

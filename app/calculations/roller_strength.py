@@ -303,7 +303,7 @@ class RollerStrengthResponse(JudgedResponse):
 def roller_figure(
     curves: RollerCurves, diameter: float, youngs_modulus: float, theme: Theme
 ) -> Figure:
-    """Three panels of curves, with this design marked; diameter d, m, and E, Pa, of the source's
+    """Three panels of curves, with this design marked; d, m, and E, Pa, are of the source's
     figures.
     """
     design = curves.design

@@ -191,9 +191,7 @@ class SolveRequest(WorkedFields):
             raise _refused(named(error, asked)) from error
 
     def solve(self) -> tuple[Solution, dict[str, float], list[str], list[FieldProblem]]:
-        """Solution, values that it sets, linked inputs, and the reason for a refusal beyond its
-        edge.
-        """
+        """Solution, values that it sets, linked inputs, and why inputs beyond its edge fail."""
         calculation, adapter = SOLVED[self.calculation], self.adapter
         long = math.isinf(self.asked.cost())
         parts = keys(self.variable.pointer)

@@ -20,9 +20,7 @@ from app.units import core_name, shown_unit
 
 
 def tolerance_figure(name: str, quantity: dict[str, Any], theme: Theme) -> Figure:
-    """Ranked contributions to a quantity, by its API name, or its histogram with percentiles and
-    limit.
-    """
+    """Ranked contributions to a quantity of an API name, or its histogram with percentiles."""
     if "contributions" in quantity:
         return _ranked(quantity["contributions"], theme)
     return _histogram(name, quantity, theme)

@@ -516,7 +516,7 @@ def solve(body: ToleranceStudyRequest) -> Values:
     """Effect of tolerances on peak force, backlash, lost motion and others: percentiles and yield
     of sampled pieces with their intervals, and the tolerance with the largest effect.
 
-    With `Accept: application/x-ndjson` the answer comes in lines, at most four a second:
+    The header `Accept: application/x-ndjson` asks for an answer in lines, at most four a second:
     `{"progress": 0.25}`, from 0 to 1, and at last `{"result": ...}` or `{"problem": ...}`. Closing
     the connection ends the study.
     """
