@@ -1,4 +1,4 @@
-"""What the service says about itself: health, calculations, materials, examples, words."""
+"""Information about the service: health, calculations, materials, examples, words."""
 
 import gzip
 import hashlib
@@ -43,7 +43,7 @@ from core.worked import words as worked_words
 
 CLASS_NAMES = tuple(f"{letter}{grade}" for letter in CLASSES for grade in GRADES)
 CLASS_VARIABLES = [("hole_", "shaft_")[each.islower()] + each for each in CLASS_NAMES]
-"""Names of theirs for generated clients, which may know no case."""
+"""Names of these classes for generated clients, which may ignore case."""
 
 ClassName = Annotated[
     Literal[CLASS_NAMES],  # type: ignore[valid-type]
@@ -52,7 +52,7 @@ ClassName = Annotated[
 
 
 class Health(ResponseModel):
-    """Whether the service works, and which it is."""
+    """State and version of the service."""
 
     status: str = Field(description="`ok`.")
     version: str = Field(description="Version of the service.")
@@ -113,7 +113,7 @@ OWN_FACTS = (
     "dry_friction",
     "wear_rate",
 )
-"""Those that no other field of a material has."""
+"""Values that no other field of a material has."""
 
 
 class MaterialOut(ResponseModel):
@@ -213,7 +213,7 @@ class MaterialOut(ResponseModel):
             if each in facts
             for name in (FACT_NAMES[each],)
         }
-        if "strength_in_plane" in facts:  # which is what its yield strength is
+        if "strength_in_plane" in facts:  # the yield strength states that value
             known["yield_strength_MPa"] = None
         return cls(
             name=entry.name,
@@ -249,7 +249,7 @@ class SizeOut(ResponseModel):
 
 
 class ProcessEntry(ResponseModel):
-    """What a way of making parts usually comes to: guides, on the part as it is made."""
+    """Usual deviations of a manufacturing process: guide values for the part as it is made."""
 
     code: ProcessName = Field(description="Its name in requests.")
     title: str = Field(description="What it is.")
@@ -284,7 +284,7 @@ class ProcessEntry(ResponseModel):
 
 
 class ProcessTable(ResponseModel):
-    """Ways of making parts, from coarse to fine."""
+    """Manufacturing processes, from coarse to fine."""
 
     processes: list[ProcessEntry]
 
@@ -359,7 +359,7 @@ class ExampleList(ResponseModel):
 
 
 class NeglectedOut(ResponseModel):
-    """What a model leaves out."""
+    """Effect that a model leaves out."""
 
     code: str = Field(
         description="What is left out, by code.", json_schema_extra={"enum": [*NEGLECTED]}
@@ -405,7 +405,7 @@ class CalculationList(ResponseModel):
 
 
 class ProblemKind(ResponseModel):
-    """What a kind of problem is."""
+    """Explanation of a kind of problem."""
 
     type: str
     description: str
@@ -440,7 +440,7 @@ class ClassList(ResponseModel):
 
 
 class NoticeWords(ResponseModel):
-    """What a warning says, and what is to be known of it."""
+    """English words of a warning, with explanation."""
 
     text: str = Field(description="The warning.")
     title: str = Field(description="What it is.")
@@ -457,7 +457,7 @@ class NoticeWords(ResponseModel):
 
 
 class CheckWords(ResponseModel):
-    """What a check says."""
+    """English words of a check."""
 
     title: str = Field(description="What it is.")
     why: str = Field(description="What is wrong where it does not hold.")
@@ -478,11 +478,11 @@ class CheckWords(ResponseModel):
 
 
 class Words(ResponseModel):
-    """What the service says by code, in English, a table for each kind of code; a code of a
-    refusal, a warning, a check or a reason is in one of theirs, whichever of them says it.
+    """English texts of the service by code, in a table for each kind of code. A code of a refusal,
+    warning, check or reason is in one of their tables, whichever of them uses it.
 
-    A name in braces is that of a parameter of the refusal, the warning or the figure, whose value
-    is put there; with its unit, where the name ends in one.
+    A name in braces is a parameter of the refusal, warning or figure, whose value is put there,
+    with its unit if the name ends in one.
     """
 
     refusals: dict[str, str] = Field(
@@ -521,14 +521,14 @@ class Words(ResponseModel):
 
 
 def _named(words: Any) -> Any:
-    """Texts whose parameters are named only, without a format or a unit that the name ends in."""
+    """Texts with parameters named only, without a format or the unit at the end of a name."""
     if isinstance(words, str):
         return re.sub(r"(_mm)?:[^{}]*}(?(1)( mm)?)", r"\1}", words)
     return {code: _named(each) for code, each in words.items()}
 
 
 class Packed:
-    """What is served as it is: compressed and tagged once, as a page asks for some sixty files."""
+    """Content that is compressed and tagged once, as a page asks for some sixty files."""
 
     def __init__(self, content: bytes, media_type: str) -> None:
         self.plain = Response(content, media_type=media_type, headers={"vary": "accept-encoding"})
@@ -542,7 +542,7 @@ class Packed:
             each.headers["etag"] = f"W/{self.etag}"
 
     def response(self, scope: Scope) -> Response:
-        """The answer to a request, or that nothing has changed since."""
+        """Answer to a request: the content, or that nothing has changed."""
         headers = dict(scope["headers"])
         response = self.zipped if takes_gzip(headers) else self.plain
         known = headers.get(b"if-none-match", b"").decode("latin-1")
@@ -554,7 +554,7 @@ class Packed:
 
 
 class Compressed(JSONResponse):
-    """An answer that is compressed for those who take that."""
+    """Answer compressed for clients that accept compression."""
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Send it."""
@@ -566,7 +566,7 @@ router = APIRouter(prefix=API, tags=["service"], default_response_class=Compress
 
 @router.get("/health", operation_id="health")
 async def health() -> Health:
-    """Whether the service works."""
+    """State and version of the service."""
     return Health(status="ok", version=VERSION)
 
 
@@ -575,7 +575,7 @@ problems = APIRouter()
 
 @problems.get("/problems/{kind}", include_in_schema=False)
 async def problem_kind(kind: str) -> ProblemKind:
-    """What a kind of problem is: the address that is the `type` of such a problem."""
+    """Explanation of a kind of problem; its address is the `type` of such problems."""
     if kind not in KINDS:
         raise HTTPException(404)
     return ProblemKind(type=f"{root_path()}/problems/{kind}", description=KINDS[kind][1])
@@ -583,7 +583,7 @@ async def problem_kind(kind: str) -> ProblemKind:
 
 @router.get("/calculations", operation_id="calculations", response_model_exclude_none=True)
 async def calculations() -> CalculationList:
-    """What can be calculated: names, paths, sources, and what each model leaves out."""
+    """Calculations of the service: names, paths, sources, and effects that models leave out."""
     return CalculationList(calculations=[CalculationOut.of(each) for each in CALCULATIONS.values()])
 
 
@@ -609,9 +609,8 @@ async def tolerances(
         ClassName | None, Query(alias="class", description="One class; all where not given.")
     ] = None,
 ) -> ClassList:
-    """Limits of the ISO 286 classes of pins and holes at a nominal diameter.
-
-    Those of f and g up to 3 mm and of m above 180 mm are by the standard's formulas of 1988.
+    """Limits of the ISO 286 classes of pins and holes at a nominal diameter. Classes f and g up to
+    3 mm and m above 180 mm use the standard's formulas of 1988.
     """
     names = CLASS_NAMES if name is None else (name,)
     found = [ClassOut.of(each, size_mm) for each in names]
@@ -620,9 +619,7 @@ async def tolerances(
 
 @router.get("/processes", operation_id="processes", response_model_exclude_none=True)
 async def processes() -> ProcessTable:
-    """What ways of making parts usually come to, each with its sources: guides, for tolerances that
-    nobody knows better.
-    """
+    """Usual deviations of manufacturing processes with sources: guides for unknown tolerances."""
     return ProcessTable(processes=[ProcessEntry.of(each) for each in PROCESSES.values()])
 
 
@@ -659,9 +656,8 @@ def _words() -> Packed:
 
 @router.get("/words", operation_id="words", response_model=Words)
 async def words(request: Request) -> Response:
-    """What is said by code, in English: what other languages are made from.
-
-    Titles and help of fields are in the description of the API; `/calculations`, `/materials` and
-    `/examples` say what stands for their own codes and names.
+    """English texts by code, from which other languages are made. Titles and help of fields are in
+    the description of the API; `/calculations`, `/materials` and `/examples` explain their own
+    codes and names.
     """
     return _words().response(request.scope)

@@ -38,21 +38,22 @@ from app.settings import Settings
 from core.errors import ImpossibleMechanism, InvalidInput
 
 FIRST_SLICE = 50
-"""Requests that are handed over first; then twice as many as were done in the time of a slice."""
+"""Number of requests in the first slice; later slices have twice as many as were done in time."""
 
 SLICE_S = 0.25
-"""Time after which a process hands back what it has done, so that answers flow and others have
-their turn."""
+"""Time after which a process returns finished answers, s, so that answers flow and others have a
+turn."""
 
 SLICE_BYTES = 1 << 20
-"""Bytes of answers after which it does so too, as a client may take them slowly."""
+"""Size of answers after which a process returns them, as a client may take them slowly."""
 
 MAX_ERRORS = 100
-"""Most wrong fields that the answers of a batch name in all; beyond, problems say how many."""
+"""Largest number of wrong fields named in a batch; beyond it problems state how many are left
+out."""
 
 
 MAX_REQUESTS = 1_000
-"""Most requests of a batch."""
+"""Largest number of requests in a batch."""
 
 Name = Annotated[str, StringConstraints(max_length=MAX_NAME)]
 
@@ -66,7 +67,7 @@ SPELLINGS = {name: name for name in BATCHED} | {
     "meshing_load": "precession/meshing-load",
     "shaft_deflection": "precession/shaft-deflection",
 }
-"""Names by which a calculation may be asked: its own, and what some were called once."""
+"""Names of calculations in a batch, former names included."""
 
 if TYPE_CHECKING:
     Spelling = str
@@ -89,13 +90,7 @@ class BatchRequest(RequestModel):
     )
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse more requests than the operator allows, and names that are not one for each.
-
-        Raises
-        ------
-        InvalidInput
-            If there are.
-        """
+        """Refuse more requests than the operator allows, and names that are not one for each."""
         if len(self.requests) > settings.max_batch:
             raise InvalidInput(
                 "requests", len(self.requests), "service_limit", limit=settings.max_batch
@@ -106,7 +101,7 @@ class BatchRequest(RequestModel):
 
 
 class BatchItem(ResponseModel):
-    """What became of one request: its result, or its problem with pointers into that request."""
+    """Result of one request, or its problem with pointers into that request."""
 
     index: Maybe[int] = Field(description="Its place, from 0; in lines alone.")
     id: Maybe[str] = Field(description="Its name, where the batch has `ids`.")
@@ -142,8 +137,9 @@ router = APIRouter(tags=["batch"])
 async def batch(request: Request) -> Response:
     """Answers in the order of the requests, each with its result or its problem.
 
-    With `Accept: application/x-ndjson` a line for each request, numbered from 0 by its `index`.
-    Both are sent as they are done. What `ids` name comes back with its `id`.
+    The header `Accept: application/x-ndjson` asks for a line for each request, numbered from 0 by
+    its `index`. Answers of both forms are sent as soon as they are done. An entry of `ids` comes
+    back as the `id` of its request.
     """
     record, jobs = at_hand.get() or Record(), request.app.state.jobs
     jobs.admit(record.client)
@@ -154,7 +150,7 @@ async def batch(request: Request) -> Response:
             jobs, split, content, record.settings, record=record
         )
         done = answers(jobs, partial(lines, name=SPELLINGS[calculation]), requests, record)
-        first = await anext(done)  # without which there is nothing to answer
+        first = await anext(done)  # an error here refuses the batch as a whole
     lines_asked = by_lines(record)
     written = _written(first, done, ids, lines=lines_asked)
     media_type = LINES if lines_asked else JSON
@@ -162,7 +158,7 @@ async def batch(request: Request) -> Response:
 
 
 class AsItComes(StreamingResponse):
-    """Answer that is sent part by part, compressed for those who take that."""
+    """Answer sent part by part, compressed for clients that accept compression."""
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Send it."""
@@ -170,19 +166,13 @@ class AsItComes(StreamingResponse):
 
 
 def split(tell: Tell, content: bytes, settings: Settings) -> None:
-    """The calculation and the requests of a batch, each as JSON of its own, and their names.
-
-    Raises
-    ------
-    Problem
-        If it is no batch, or has more requests than the operator allows.
-    """
+    """Calculation, requests and names of a batch, each request as JSON of its own."""
     try:
         values = from_json(content)
     except ValueError as error:
         raise refusal("", "json_invalid", error=str(error)) from None
     body = admitted(BatchRequest.model_validate, values, settings)
-    enough = settings.max_body_bytes + 1  # to see that a request is too large
+    enough = settings.max_body_bytes + 1  # one byte more shows that a request is too large
     requests = [to_json(each, inf_nan_mode="constants")[:enough] for each in body.requests]
     tell((body.calculation, requests, body.ids))
 
@@ -190,10 +180,9 @@ def split(tell: Tell, content: bytes, settings: Settings) -> None:
 async def answers(
     jobs: Jobs, job: Job, requests: list[bytes], record: Record
 ) -> AsyncIterator[list[bytes]]:
-    """The answers as JSON: ``{"result": ...}`` or ``{"problem": ...}``, some at a time.
-
-    Each request is read and calculated once. Only where its process is killed it is tried once
-    more, and only a request that has had `Settings.max_seconds` for itself is refused for its time.
+    """Answers as JSON, ``{"result": ...}`` or ``{"problem": ...}``, some at a time. A request whose
+    process is killed is tried once more. A request is refused for its time only if it had
+    `Settings.max_seconds` for itself.
     """
     settings = record.settings
     limit_s = SLICE_S + settings.max_seconds  # the last one may start at the end of the slice
@@ -221,9 +210,7 @@ async def answers(
 
 
 def lines(tell: Tell, requests: list[bytes], settings: Settings, errors: int, *, name: str) -> None:
-    """Answers to the first requests, to as many as there is time for, and how many wrong fields
-    each names.
-    """
+    """Answers to as many first requests as time allows, with the number of wrong fields of each."""
     end, size = time.monotonic() + SLICE_S, 0
     for request in requests:
         line, named = _line(CALCULATIONS[name], request, settings, errors)
@@ -260,7 +247,7 @@ async def _written(
     *,
     lines: bool,
 ) -> AsyncIterator[bytes]:
-    """The answers with their names: lines with their places too, or one object."""
+    """Answers with their names, as lines with indices or as one object."""
     place, before = 0, b'{"results":['
     while some is not None:
         for index, answer in enumerate(some):

@@ -1,8 +1,8 @@
-"""Studies on a Dask cluster whose scheduler the operator names; without one nothing of Dask is
-installed, imported or started.
+"""Studies on a Dask cluster whose scheduler the operator names.
 
-A task is some blocks of pieces, calculated by the same function as here: what travels is the
-study, its draws are made there, and the bits are the same however many workers there are.
+Without a scheduler nothing of Dask is installed, imported or started. A task is some blocks of
+pieces, calculated by the function that local processes use: the study is sent, the worker draws the
+samples, and results are bit for bit independent of the number of workers.
 """
 
 import hashlib
@@ -20,24 +20,24 @@ from core.tolerance.tolerances import Drawn
 LOG = logging.getLogger("khv.cluster")
 
 PIECES = 2048
-"""Pieces of a task at least: a tenth of a second and more."""
+"""Least number of pieces in a task: a tenth of a second and more."""
 
 CONNECT_S = 3
-"""Time after which a scheduler that does not answer counts as lost: less than a study may take."""
+"""Time after which a silent scheduler counts as lost, s; less than a study may take."""
 
 LOOK_S = 1
-"""How often a study that waits for its workers looks whether there are any."""
+"""Interval at which a study that waits for workers looks for them, s."""
 
 CORE = Path(__file__).parent.parent / "core"
 
 
 class Lost(Exception):
-    """The cluster cannot be reached, has no workers, or runs another version; why, is its text."""
+    """Loss of the cluster: unreachable, without workers, or of another version."""
 
 
 @cache
 def version() -> str:
-    """What the numbers depend on: the sources of the core that this process has."""
+    """Hash of the core's sources in this process, on which the numbers depend."""
     found = hashlib.sha256()
     for path in sorted(CORE.rglob("*.py")):
         found.update(path.relative_to(CORE).as_posix().encode() + b"\0" + path.read_bytes())
@@ -46,19 +46,19 @@ def version() -> str:
 
 @cache
 def _prepared() -> str:
-    """Version of these sources, once the compiled engine is there."""
+    """Version of the sources, once the compiled engine is loaded."""
     load()
     return version()
 
 
 def task(block: Block, blocks: Sequence[Drawn]) -> tuple[str, list[Pieces]]:
-    """Some blocks, at a worker, and by which sources."""
+    """Version of a worker's sources, and results of some blocks there."""
     return _prepared(), [block(each) for each in blocks]
 
 
 @cache
 def _client(address: str) -> Any:
-    """A connection to the scheduler, one a process."""
+    """Connection to the scheduler, one per process."""
     import dask
     from distributed import Client
 
@@ -70,7 +70,7 @@ def _client(address: str) -> Any:
 
 
 def _result(client: Any, future: Any) -> Any:
-    """Result of a task, waited for as long as the cluster has workers."""
+    """Result of a task; waits as long as the cluster has workers."""
     while True:
         try:
             return future.result(timeout=LOOK_S)
@@ -79,13 +79,7 @@ def _result(client: Any, future: Any) -> Any:
 
 
 def _there(address: str, block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
-    """Blocks at the workers, in their order.
-
-    Raises
-    ------
-    Lost
-        If they cannot be, or not any more.
-    """
+    """Results of blocks from the workers, in order; raises `Lost`."""
     many = -(-PIECES // len(blocks[0]))
     tasks = [blocks[first : first + many] for first in range(0, len(blocks), many)]
     try:
@@ -98,26 +92,17 @@ def _there(address: str, block: Block, blocks: Sequence[Drawn]) -> Iterator[Piec
             yield from results
     except (CalculationError, Lost):
         raise
-    except Exception as error:  # whatever Dask and the network raise
+    except Exception as error:  # Dask and the network raise many kinds
         _client.cache_clear()
         raise Lost(f"{type(error).__name__}: {error}") from error
 
 
 def on_cluster(address: str, lost: Callable[[Lost], Mapped]) -> Mapped:
-    """Where blocks are calculated on a cluster.
+    """Function that calculates blocks on the cluster with a scheduler at an address.
 
-    Parameters
-    ----------
-    address : str
-        Of its scheduler.
-    lost : callable
-        Called when it is lost: says where they are calculated that it does not, or raises.
-
-    Returns
-    -------
-    callable
+    `lost` is called once if the cluster is lost; it returns the function to use instead, or raises.
     """
-    elsewhere: Mapped | None = None  # once the cluster is lost, which is not waited for again
+    elsewhere: Mapped | None = None  # replacement once the cluster is lost
 
     def mapped(block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
         nonlocal elsewhere

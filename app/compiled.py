@@ -1,8 +1,8 @@
-"""The engine as it is compiled, whose cache is made once an installation.
+"""Compiled engine, whose cache is made once per installation.
 
-Run as a module it makes the cache, as `make run`, `make test` and the image do. Processes for
-calculations read it as they start; where there is none, or a broken one, the first of them makes
-it, and the others wait for that.
+Run as a module, it makes the cache, as `make run`, `make test` and the image do. Processes for
+calculations read the cache at their start. If it is missing or broken, the first process makes it,
+and the others wait for it.
 """
 
 import fcntl
@@ -12,8 +12,8 @@ LOG = logging.getLogger("khv.compiled")
 
 
 def load() -> None:
-    """Calculate with the compiled engine from now on: read from its cache or compiled now, in
-    memory where it cannot be written; without numba with the engine as it is.
+    """Use the compiled engine from now on: read from its cache, or compiled now, in memory if the
+    cache cannot be written; without numba use the interpreted engine.
     """
     from core.drive import compiled
 

@@ -1,4 +1,4 @@
-"""The way of a calculation's request, from its bytes to the bytes of its answer.
+"""Path of a request through the service, from its bytes to the bytes of its answer.
 
 `route_of` uses FastAPI's documented hook (a route class with a handler of its own): pydantic reads
 the bytes and orjson writes them, which takes half the time of FastAPI's own way.
@@ -55,48 +55,47 @@ LINES = "application/x-ndjson"
 
 LIGHT_BYTES = 16_384
 LIGHT_COST = 20_000
-"""What a request may have to be answered in the event loop: bytes, and points by its `cost`. That
-holds the loop for less than 30 ms; to hand it over costs half of one."""
+"""Largest size, bytes, and cost, points, of a request that the event loop answers itself in less
+than 30 ms; handing it over costs half of one."""
 
 MAX_NESTED = 1000
-"""Most lists and objects in a request: they cost a hundred times as much to read as numbers do. The
-longest list of objects has 500, rollers."""
+"""Largest number of lists and objects in a request, as reading them costs a hundred times more than
+numbers. The longest list of objects has 500 rollers."""
 
 COMPRESS_BYTES = 2048
-"""Size from which an answer is compressed where the client takes that."""
+"""Size from which an answer is compressed if the client accepts compression."""
 
 GZIP = b"\x1f\x8b"
-"""How what is compressed begins."""
+"""First bytes of compressed content."""
 
 COMPRESS_LEVEL = 3
-"""On curves, half the time of zlib's usual level for 2 % more bytes."""
+"""Level of zlib that takes half the usual time on curves for 2 % more bytes."""
 
 AS_IT_COMES = {"x-accel-buffering": "no"}
-"""Headers of what is sent as it is done: a proxy is not to wait for the whole."""
+"""Headers of answers sent in parts, which tell a proxy not to buffer."""
 
 PROGRESS_S = 0.25
-"""How often a client is told how much of a study is done, seconds."""
+"""Interval at which a client is told the progress of a study, s."""
 
 STREAMED: dict[int | str, dict[str, Any]] = RESPONSES | {
     200: {"content": {LINES: {"schema": {"type": "string"}}}}
 }
-"""Answers besides of what tells its progress where that is asked."""
+"""Answers of calculations that report progress on request."""
 
 
 Body = TypeVar("Body", bound=RequestModel)
 
 
 class FigureOut(BaseModel):
-    """A Plotly figure, ready for Plotly.js."""
+    """Plotly figure, ready for Plotly.js."""
 
     data: list[dict[str, Any]] = Field(description="Traces.")
     layout: dict[str, Any] = Field(description="Layout; `meta.words` has the texts by code.")
 
 
 def route_of(calculation: Calculation, *, drawn: bool = False) -> type[APIRoute]:
-    """FastAPI's documented hook for the route of a calculation, or of its figure.
-
-    The function runs at once or, where that would hold up others, in a process.
+    """Route class of a calculation, or of its figure, by FastAPI's documented hook. Light requests
+    are calculated at once, others in a process, which keeps the event loop free.
     """
 
     async def handle(request: Request) -> Response:
@@ -123,14 +122,12 @@ def route_of(calculation: Calculation, *, drawn: bool = False) -> type[APIRoute]
 
 
 def answered(calculation: Calculation, body: RequestModel, report: Report = untold) -> Values:
-    """Values of the answer to a request; of a study with what is told how much of it is done."""
+    """Values of the answer to a request; `report` is told the progress of a study."""
     return calculated(body, partial(calculation.answered, body, report))
 
 
 def calculated(body: RequestModel, calculation: Callable[[], Result]) -> Result:
-    """What is calculated of a request, whose record has how long it took; a refusal names the
-    request's fields.
-    """
+    """Result of a calculation, timed for the record; a refusal names the request's fields."""
     try:
         result, run_time_us = timed(calculation)
     except CalculationError as error:
@@ -143,7 +140,7 @@ def calculated(body: RequestModel, calculation: Callable[[], Result]) -> Result:
 def content_of(
     calculation: Calculation, body: RequestModel, theme: str | None, zipped: bool
 ) -> bytes:
-    """The answer of a calculation, compressed where it is large and the client takes that."""
+    """Answer of a calculation, compressed if it is large and the client accepts compression."""
     if theme is None:
         content = encoded(answered(calculation, body))
     else:
@@ -157,15 +154,13 @@ def content_of(
 def _answer(
     tell: Tell, name: str, sent: bytes, theme: str | None, zipped: bool, settings: Settings
 ) -> None:
-    """The same from the bytes of a request, in a process."""
+    """Answer of a calculation from the bytes of a request, in a process."""
     calculation = CALCULATIONS[name]
     tell(content_of(calculation, read_body(calculation, sent, settings), theme, zipped))
 
 
 def route_of_files(export: Export) -> type[APIRoute]:
-    """The same for files of a design: they are written in a process, which alone knows of what they
-    take.
-    """
+    """Route class for files of a design, which are written in a process that imports the writer."""
 
     async def handle(request: Request) -> Response:
         record = at_hand.get() or Record()
@@ -196,7 +191,7 @@ def _written(tell: Tell, name: str, sent: bytes, zipped: bool, settings: Setting
 
 
 async def _told_by_lines(request: Request, name: str, sent: bytes, record: Record) -> Response:
-    """Answer of a study, line by line: how much of it is done, and at last its result."""
+    """Answer of a study line by line: its progress, and at last its result."""
     settings = record.settings.model_copy(update={"max_seconds": record.settings.max_study_seconds})
     parts = in_parts(
         request.app.state.jobs,
@@ -205,7 +200,7 @@ async def _told_by_lines(request: Request, name: str, sent: bytes, record: Recor
         limit_s=settings.max_seconds,
     )
     async with wanted(record):
-        await anext(parts)  # without which it is refused as a whole
+        await anext(parts)  # an error here refuses the request as a whole
 
     async def lines() -> AsyncIterator[bytes]:
         try:
@@ -219,7 +214,7 @@ async def _told_by_lines(request: Request, name: str, sent: bytes, record: Recor
 
 
 def told_progress(tell: Tell, name: str, sent: bytes, settings: Settings) -> None:
-    """Lines of a study in a process, behind an empty one where the request is right."""
+    """Lines of a study in a process, after an empty one if the request is valid."""
     calculation = CALCULATIONS[name]
     body = read_body(calculation, sent, settings)
     tell(b"")
@@ -239,18 +234,13 @@ def _line(values: dict[str, Any]) -> bytes:
 
 
 def by_lines(record: Record) -> bool:
-    """Whether a client takes an answer line by line."""
+    """True if a client accepts an answer line by line."""
     return LINES.encode() in record.headers.get(b"accept", b"")
 
 
 def take_place(record: Record) -> None:
-    """Take one of the worker's places for what is large, which are few, until it is answered. Of
-    one client there are no more than are free besides, so that others find one too.
-
-    Raises
-    ------
-    Problem
-        If there is none.
+    """Take one of the worker's few places for large requests until the request is answered. A
+    client gets at most as many as stay free for others; otherwise `Problem` is raised.
     """
     if not record.has_place:
         free = record.settings.max_large - record.places.total()
@@ -261,15 +251,10 @@ def take_place(record: Record) -> None:
 
 
 async def received(record: Record, limit: int) -> bytes:
-    """All that a client sends, as JSON. (Starlette reads it in twice the time.)
+    """Body of a request as sent, in half of Starlette's time.
 
-    Raises
-    ------
-    Problem
-        If that is more than so many bytes, or announced as more, or not sent as JSON; or if it is
-        large and there is no place for it.
-    ClientDisconnect
-        If the client goes before.
+    Raises Problem if the body is too large, not JSON, or large without a free place;
+    ClientDisconnect if the client leaves.
     """
     headers = record.headers
     media_type = headers.get(b"content-type", b"").partition(b";")[0].strip().lower()
@@ -302,26 +287,14 @@ def _reader(name: str) -> Callable[[bytes], RequestModel]:
 
 
 def read_body(asked: Calculation | Export, content: bytes, settings: Settings) -> RequestModel:
-    """The body of a request.
-
-    Raises
-    ------
-    Problem
-        If it is no JSON, not what the model says, or more than the operator allows.
-    """
+    """Validated body of a request, within the operator's limits; raises `Problem`."""
     if len(content) > MAX_NESTED and content.count(b"{") + content.count(b"[") > MAX_NESTED:
         raise refusal("", "too_nested", limit=MAX_NESTED)
     return admitted(_reader(asked.name), content, settings)
 
 
 def admitted(read: Callable[[Any], Body], content: Any, settings: Settings) -> Body:
-    """What a model reads, within what the operator allows.
-
-    Raises
-    ------
-    Problem
-        If it is not what the model says, or more.
-    """
+    """Validated content, within the operator's limits; raises `Problem`."""
     try:
         body = read(content)
     except ValidationError as error:
@@ -341,26 +314,22 @@ def _theme(request: Request) -> str:
 
 
 def encoded(values: Any) -> bytes:
-    """Values of an answer as JSON: what is not there is left out, not None.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If a number is not finite: the input was beyond what doubles can carry.
+    """Values of an answer as JSON, without absent values. Raises ImpossibleMechanism if a number is
+    not finite, as the input exceeded the range of doubles.
     """
     content = orjson.dumps(
         values,
         option=orjson.OPT_SERIALIZE_NUMPY,
-        default=np.ndarray.tolist,  # of other orders
+        default=np.ndarray.tolist,  # for arrays that are not contiguous
     )
-    # What is not finite is written as null, and nothing else is.
+    # Only numbers that are not finite are written as null.
     if b"null" in content and (names := dict.fromkeys(_nulls(orjson.loads(content), ""))):
         raise ImpossibleMechanism("overflow", names=", ".join(names))
     return content
 
 
 def _nulls(values: Any, name: str) -> Iterator[str]:
-    """Names under which something is null."""
+    """Names of values that are null."""
     if values is None:
         yield name
     elif isinstance(values, dict):
@@ -372,8 +341,8 @@ def _nulls(values: Any, name: str) -> Iterator[str]:
 
 
 class Answer(Response):
-    """Answer of JSON or of a file, which may be compressed. A large one, of which parts wait for
-    the client, has a place.
+    """Answer of JSON or of a file, which may be compressed. A large answer takes a place while
+    parts of it wait for the client.
     """
 
     def __init__(
@@ -383,7 +352,7 @@ class Answer(Response):
         media_type: bytes = JSON.encode(),
         headers: Iterable[tuple[bytes, bytes]] = (),
     ) -> None:
-        # Starlette's own takes three times as long.
+        # Starlette's own method takes three times as long.
         self.status_code, self.background, self.body = 200, None, content
         self.record = record
         length = b"content-length", b"%d" % len(content)
@@ -404,5 +373,5 @@ class Answer(Response):
 
 
 def takes_gzip(headers: dict[bytes, bytes]) -> bool:
-    """Whether a client takes compressed answers."""
+    """True if a client accepts compressed answers."""
     return b"gzip" in headers.get(b"accept-encoding", b"")

@@ -1,9 +1,8 @@
-"""The papers' figures and numbers as ready requests, and a design that works to begin with: what
-`examples.json` has.
+"""Figures and numbers of papers as ready requests, and a design that works, from `examples.json`.
 
-The papers print no torque and no sizes for the figures that show ratios; where a request needs
-them, the example takes round numbers and its title says what to look at. With these sizes a
-through-hardened satellite does not stand the pressure; the opening example case-hardens it.
+Papers print no torque and no sizes for figures that show ratios; if a request needs them, the
+example has round numbers, and its title names the quantity to look at. A through-hardened satellite
+of these sizes does not bear the pressure, therefore the opening example uses case-hardening.
 """
 
 from pathlib import Path
@@ -14,7 +13,7 @@ import orjson
 _DATA = orjson.loads(Path(__file__).with_name("examples.json").read_bytes())
 
 EXAMPLES: list[dict[str, Any]] = _DATA["examples"]
-"""Ready requests in the order of the page, which opens with the first of a calculation."""
+"""Ready requests in the order of the page, which opens with the first one of a calculation."""
 
 REQUESTS: dict[str, dict[str, Any]] = _DATA["requests"]
-"""One request for each endpoint, for the API's description; its chart takes the same."""
+"""One request for each endpoint, for the API's description; the chart endpoint takes it too."""

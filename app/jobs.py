@@ -1,12 +1,11 @@
-"""Jobs in processes of their own: bounded, cancellable, replaced; the standard library only.
+"""Jobs in processes of their own: bounded, cancellable, replaceable; by the standard library only.
 
-A job is a function of a module; what it tells its first argument comes back part by part. Each
-process has one socket to it and does one job at a time. A job that nobody waits for any more, or
-that takes too long, costs its process, which is replaced in the background; so does one whose
-process is killed.
+A job is a function of a module whose first argument takes the parts of its result. Each process has
+one socket and does one job at a time. A job that is abandoned or takes too long is ended with its
+process, which is replaced in the background; so is a process that is killed.
 
-Children come from a fork server, which has imported what they need: one is there within about a
-tenth of a second. To close a child's socket is to end it, so that none outlives its owner.
+Processes come from a fork server that has imported all modules they need, which takes about a tenth
+of a second. A process ends once its socket is closed, so that none outlives its owner.
 """
 
 import asyncio
@@ -31,67 +30,54 @@ from typing import Any, Self
 
 LOG = logging.getLogger("khv.jobs")
 
-CONTEXT = multiprocessing.get_context("forkserver")  # a process with threads is not to be forked
+CONTEXT = multiprocessing.get_context("forkserver")  # processes with threads must not fork
 
 START_S = 60.0
-"""Time after which a process that has been forked and says nothing counts as one that cannot."""
+"""Time after which a forked process that does not answer counts as unable to start, s."""
 
 CHECK_S = 1.0
-"""How often idle processes are looked after, seconds."""
+"""Interval at which idle processes are checked, s."""
 
 PAUSE_S = 0.005
-"""How often parts are fetched that come one after the other."""
+"""Interval at which successive parts are fetched, s."""
 
 Job = Callable[..., None]
 
 
 class Busy(Exception):
-    """As many jobs are waiting as may.
-
-    Attributes
-    ----------
-    retry_after_s : int
-        When there may be room, seconds.
-    """
+    """Refusal as too many jobs are waiting; `retry_after_s` estimates when there is room, s."""
 
     def __init__(self, retry_after_s: int) -> None:
         self.retry_after_s = retry_after_s
 
 
 class CannotRun(Exception):
-    """No process can be started."""
+    """Failure to start any process."""
 
 
 class TooLong(Exception):
-    """A job took longer than allowed.
-
-    Attributes
-    ----------
-    limit_s : float
-        What was allowed, seconds.
-    """
+    """Job that took longer than `limit_s`, s."""
 
     def __init__(self, limit_s: float) -> None:
         self.limit_s = limit_s
 
 
 class Stopped(Exception):
-    """The process of a job was stopped by something else."""
+    """Job whose process was stopped from outside."""
 
 
 class Jobs:
-    """A fixed number of processes, for which clients wait in turn, in queues of bounded length.
+    """Fixed number of processes, for which clients wait in turn in queues of bounded length.
 
-    Processes start ahead within ``async with``; outside of it, with the first job.
+    Processes start in advance within ``async with``, otherwise with the first job.
 
     Parameters
     ----------
     processes : int
-        How many; 0 for one to a processor.
+        Number of processes; 0 for one per processor.
     waiting : int
-        Most jobs that may wait. Of one client no more are admitted than there is room besides, so
-        that others find room too: half of it where it is alone. For who has none waiting there is
-        as much room again.
+        Largest number of waiting jobs. A client may have at most as many as stay free for others,
+        half of them for a single client; a client without a waiting job has twice the room.
     preload : iterable of str
         Modules that the jobs need.
     """
@@ -111,7 +97,7 @@ class Jobs:
 
     @property
     def ready(self) -> bool:
-        """Whether jobs are run: processes start ahead, and one at least has, and still could."""
+        """True if processes started in advance, and at least one has started and still could."""
         return self._keeper is not None and self._able
 
     async def __aenter__(self) -> Self:
@@ -120,7 +106,7 @@ class Jobs:
         return self
 
     async def __aexit__(self, *_: object) -> None:
-        """End all processes, whatever they are doing."""
+        """End all processes at once."""
         assert self._keeper is not None
         for task in (self._keeper, *self._starting):
             task.cancel()
@@ -128,19 +114,13 @@ class Jobs:
         while self._free:
             self._replace(self._free.pop())
         for child in self._children:
-            child.kill()  # whoever runs a job in it sees that
+            child.kill()  # a running job gets an error
         if self._starting and not self._able:
             _end_server()
         self._refuse_waiting()
 
     def admit(self, client: str = "") -> None:
-        """Refuse a new job of a client where too many are waiting.
-
-        Raises
-        ------
-        Busy
-            If there are; when there may be room is estimated from what jobs took of late.
-        """
+        """Raise `Busy` if too many jobs of a client are waiting."""
         waiting = sum(map(len, self._waiting.values()))
         own = len(self._waiting.get(client, ()))
         room = self._most_waiting if own else 2 * self._most_waiting
@@ -151,29 +131,29 @@ class Jobs:
     async def run(
         self, job: Job, *args: Any, limit_s: float, admitted: bool = False, client: str = ""
     ) -> AsyncGenerator[Any]:
-        """What a job tells, as it comes; to cancel or close this ends the job.
+        """Parts of a job's result as they come; cancelling or closing the generator ends the job.
 
         Parameters
         ----------
         job : callable
-            Function of a module; what it raises ends its process.
+            Function of a module; an exception in it ends its process.
         *args
-            Its arguments but the first; they are pickled, as is what it tells.
+            Further arguments of the job; arguments and parts are pickled.
         limit_s : float
-            Longest time from its start to its end, seconds; waiting for a process is not counted.
+            Longest time from the start of the job to its end, s, without waiting for a process.
         admitted : bool
-            Whether it may wait however many do: a part of work that has been admitted as a whole.
+            True lets the job wait in any case, as part of work that was admitted as a whole.
         client : str
-            Who asks: clients take turns.
+            Client, as clients take turns.
 
         Raises
         ------
         Busy
-            If too many are waiting.
+            If too many jobs are waiting.
         TooLong, Stopped
-            If it does not come to its end.
+            If the job does not end properly.
         CannotRun
-            If there is no process and none can be started.
+            If no process exists and none can be started.
         """
         if not admitted:
             self.admit(client)
@@ -202,7 +182,7 @@ class Jobs:
                 self._replace(child)
 
     async def _next_free(self, client: str) -> "_Child":
-        """A process for a job of a client."""
+        """Free process for a job of a client."""
         while self._free:
             child = self._free.pop()
             if not child.gone():
@@ -226,7 +206,7 @@ class Jobs:
                     del self._waiting[client]
 
     def _give(self, child: "_Child") -> None:
-        """Hand a process to who waits longest of the client whose turn it is."""
+        """Give a process to the client whose turn it is, for its oldest job."""
         while turn := self._next_turn():
             if not turn.done():
                 turn.set_result(child)
@@ -234,7 +214,7 @@ class Jobs:
         self._free.append(child)
 
     def _next_turn(self) -> "asyncio.Future[_Child] | None":
-        """Take the next one out of its client's queue; that client's turn comes again last."""
+        """Take the next job out of its client's queue, and put the client last."""
         if not self._waiting:
             return None
         client = next(iter(self._waiting))
@@ -245,14 +225,14 @@ class Jobs:
         return turn
 
     def _replace(self, child: "_Child") -> None:
-        """End a process; another one is started in the background."""
+        """End a process, and start another one in the background."""
         self._children.discard(child)
         child.end()
         self._ended.append(child.process)
         self._start_missing()
 
     def _refuse_waiting(self) -> None:
-        """Nobody is going to hand over a process."""
+        """Refuse all waiting jobs, as no process will come."""
         self._able = False
         while turn := self._next_turn():
             if not turn.done():
@@ -266,10 +246,10 @@ class Jobs:
             task.add_done_callback(self._starting.discard)
 
     async def _start_one(self) -> None:
-        """Start a process, in the place of one that has been ended where there is one."""
+        """Start a process, in place of an ended one if there is one."""
         former, child = self._ended.pop() if self._ended else None, None
         try:
-            # Its server may compile the engine before it forks: that is waited for.
+            # The fork server may compile the engine before it forks, which has to be waited for.
             child = await asyncio.to_thread(_started, former)
             async with asyncio.timeout(START_S):
                 await child.receive()
@@ -288,7 +268,7 @@ class Jobs:
                 self._ended.append(child.process)
 
     async def _keep(self) -> None:
-        """Start what is missing, and what dies while it has nothing to do."""
+        """Start missing processes, and replace idle ones that died."""
         while True:
             for child in [child for child in self._free if child.gone()]:
                 self._free.remove(child)
@@ -298,17 +278,17 @@ class Jobs:
 
 
 class _Child:
-    """A process that does one job after another, and the socket to it.
+    """Process that does one job after another, with its socket.
 
-    A message is a pickled tuple behind the eight bytes of its length: parts of what the job tells;
-    an empty one where it has come to its end, and at the start.
+    A message is a pickled tuple after eight bytes of its length: parts of a result, or empty at the
+    end of a job and at the start.
     """
 
     def __init__(self, process: BaseProcess, ours: socket.socket) -> None:
         self.process, self.socket = process, ours
         self.received = bytearray()
         weakref.finalize(self, ours.close)
-        # Before multiprocessing waits for its children at exit, in processes that it forked too.
+        # At exit this runs before multiprocessing waits for children, in forked processes too.
         multiprocessing.util.Finalize(self, _kill, (process,), exitpriority=0)
 
     async def send(self, message: object) -> None:
@@ -332,7 +312,7 @@ class _Child:
         return taken
 
     def gone(self) -> bool:
-        """Whether the process of an idle child has ended."""
+        """True if the process of an idle child has ended."""
         try:
             return not self.socket.recv(1, socket.MSG_PEEK)
         except BlockingIOError:
@@ -341,24 +321,25 @@ class _Child:
             return True
 
     def kill(self) -> None:
-        with suppress(OSError):  # it may have gone itself
+        with suppress(OSError):  # the process may have ended itself
             self.socket.shutdown(socket.SHUT_RDWR)
         self.process.kill()
 
     def end(self) -> None:
-        """The same where nobody waits for its answer any more."""
+        """End the process without waiting for an answer."""
         self.kill()
         self.socket.close()
 
 
 STARTING = threading.Lock()
-"""To start a process multiprocessing goes through all that there are: none may be closed then."""
+"""Lock for starting processes: multiprocessing walks through all of them, and none may be closed
+then."""
 
 
 def _started(former: BaseProcess | None) -> _Child:
-    """A new process, once the one before has ended."""
+    """New process, started after the previous one ended."""
     if former is not None:
-        with suppress(ValueError):  # it is closed already
+        with suppress(ValueError):  # closed already
             former.join(START_S)
             with STARTING:
                 former.close()
@@ -373,11 +354,11 @@ def _started(former: BaseProcess | None) -> _Child:
 
 
 def _end_server() -> None:
-    """End the fork server, which answers nobody while it imports: another one starts if wanted,
-    which multiprocessing sees once this one has ended.
+    """End the fork server, which does not react while it imports; multiprocessing starts another
+    one on demand once this one has ended.
     """
     if pid := forkserver._forkserver._forkserver_pid:  # type: ignore[attr-defined]
-        with suppress(ProcessLookupError, ChildProcessError):  # it is waited for elsewhere
+        with suppress(ProcessLookupError, ChildProcessError):  # another place waits for it
             os.kill(pid, signal.SIGKILL)
             os.waitid(os.P_PID, pid, os.WEXITED | os.WNOWAIT)
 
@@ -388,9 +369,8 @@ def _kill(process: BaseProcess) -> None:
 
 
 def _serve(pipe: socket.socket) -> None:
-    """Do jobs until the other end of the pipe is closed.
-
-    Signals are left to the owner: those to its whole group would lose jobs that are to be finished.
+    """Do jobs until the other end of the pipe is closed. Signals are ignored, as a signal to the
+    whole group would lose jobs that the owner wants to finish.
     """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
@@ -410,8 +390,8 @@ def _serve(pipe: socket.socket) -> None:
 
 
 def _end_with(pipe: socket.socket) -> None:
-    """End this process once the other end of the pipe is closed, also within a job."""
+    """End this process once the other end of the pipe is closed, even within a job."""
     hang_up = select.poll()
-    hang_up.register(pipe, 0)  # that it is closed is always told
+    hang_up.register(pipe, 0)  # an event mask of 0 still reports a closed pipe
     hang_up.poll()
     os._exit(1)

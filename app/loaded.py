@@ -1,4 +1,4 @@
-"""What processes for calculations have from their start: the engine, read or compiled."""
+"""Preloaded module of processes for calculations: the engine, read or compiled."""
 
 import logging
 import sys

@@ -37,14 +37,14 @@ from app.settings import Settings, current
 STATIC = Path(__file__).parent.parent / "static"
 
 PRELOAD = ("app.batch", "app.loaded", "uvicorn")
-"""What processes for calculations import ahead; uvicorn as they import the service's main module,
-`app.serve`, each anew."""
+"""Modules that processes for calculations import in advance; uvicorn's workers import the service's
+main module, `app.serve`, each anew."""
 
 DESCRIBED_S = 1.0
-"""How long after its start the service makes its description."""
+"""Delay after the start before the service makes its API description, s."""
 
 NO_TELEMETRY: TelemetryConfig = {"tracing": False, "metrics": False, "logs": False}
-"""What is seen from outside is in `app.observability`."""
+"""Settings without further telemetry; logs and metrics are in `app.observability`."""
 
 LICENSE = {"name": "MIT", "identifier": "MIT"}
 
@@ -69,7 +69,7 @@ another is refused though a schema admits it, as is what cannot exist.
 
 
 def add_route(app: FastAPI, calculation: Calculation, *, drawn: bool = False) -> None:
-    """Add the endpoint of a calculation, or that of its figure."""
+    """Add the endpoint of a calculation, or of its figure."""
     path = f"{calculation.name}/chart" if drawn else calculation.name
     example = {"example": REQUESTS[calculation.name]}
     app.router.add_api_route(
@@ -119,19 +119,13 @@ def _packed_file(path: Path, changed_ns: int) -> Packed:
 
 @cache
 def _files() -> dict[str, Path]:
-    """Files of the page by their paths: what is no key is not served."""
+    """Files of the page by their paths; other paths are not served."""
     files = (path for path in STATIC.rglob("*") if path.is_file())
     return {path.relative_to(STATIC).as_posix(): path for path in files}
 
 
 def file_response(name: str, scope: Scope) -> Response:
-    """Answer of a file of the page, as it is now.
-
-    Raises
-    ------
-    HTTPException
-        If there is none of that name.
-    """
+    """Answer with a file of the page as it is now; `HTTPException` 404 without such a file."""
     path = _files().get(name)
     if path is None or not path.exists():
         raise HTTPException(404)
@@ -140,11 +134,11 @@ def file_response(name: str, scope: Scope) -> Response:
 
 @asynccontextmanager
 async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-    """Have processes for long calculations as long as the service runs."""
-    # What is there now stays: the collector need not look through it again and again.
+    """Keep processes for long calculations while the service runs."""
+    # Objects that exist now stay, and need no repeated garbage collection.
     gc.collect()
     gc.freeze()
-    # The description, which takes half a second, is made before somebody opens the page.
+    # The API description takes half a second and is made before someone opens the page.
     describing = threading.Thread(target=app.openapi, daemon=True)
     ahead = asyncio.get_running_loop().call_later(DESCRIBED_S, describing.start)
     async with app.state.jobs:
@@ -153,7 +147,7 @@ async def lifespan(app: FastAPI) -> AsyncIterator[None]:
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
-    """The service as an ASGI application; settings from the environment where none are given."""
+    """The service as an ASGI application; settings come from the environment if none are given."""
     settings = settings or current()
     app = FastAPI(
         title="KHV Calc",
@@ -165,7 +159,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         openapi_url=None,
         docs_url=None,
         redoc_url=None,
-        redirect_slashes=False,  # whose address would be made from the Host header
+        redirect_slashes=False,  # redirects would use the Host header
         lifespan=lifespan,
         telemetry=NO_TELEMETRY,
     )

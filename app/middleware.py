@@ -1,4 +1,4 @@
-"""What happens around every request: its record, and the headers of its answer."""
+"""Middleware around every request: record of the request, and headers of the answer."""
 
 import asyncio
 import random
@@ -32,21 +32,20 @@ HEADERS = [
 """Headers of every answer."""
 
 PART_BYTES = 1 << 18
-"""Most bytes that are sent at once: as long as a client may take for some of its answer, it may for
-so many."""
+"""Largest number of bytes sent at once, for which a client may take its allowed time."""
 
 MAX_ADDRESS = 45
-"""Longest address of a client: that of IPv6 with one of IPv4 within."""
+"""Longest address of a client: IPv6 with an IPv4 address in it."""
 
 REQUEST_ID = re.compile(rb"[A-Za-z0-9._~-]{1,64}")
-"""Request ids of clients that are taken over: nothing that could break a log line or a header."""
+"""Accepted request ids of clients, without characters that could break a log line or a header."""
 
 NO_GZIP = re.compile(rb"gzip\s*;\s*q=0(\.0*)?\s*(,|$)")
-"""How a client says in `Accept-Encoding` that it does not take that."""
+"""Pattern of an `Accept-Encoding` that excludes gzip."""
 
 
 class Requests:
-    """Keeps the record of every request; completes its answer; answers where all else failed."""
+    """Middleware that records every request, completes its answer, and answers on failures."""
 
     def __init__(self, app: ASGIApp, settings: Settings) -> None:
         self.app = app
@@ -66,7 +65,7 @@ class Requests:
         if NO_GZIP.search(headers.get(b"accept-encoding", b"")):
             del headers[b"accept-encoding"]
             scope = {**scope, "headers": [*headers.items()]}
-        head = method == "HEAD"  # what asks for the head is answered like what asks for all
+        head = method == "HEAD"  # answered as GET, without a body
         if head or root:
             scope = {**scope, "path": path, "method": "GET" if head else method}
         client = (scope.get("client") or ("",))[0][:MAX_ADDRESS]
@@ -91,7 +90,7 @@ class Requests:
             return send(message) if len(message.get("body", b"")) <= PART_BYTES else parts(message)
 
         async def parts(message: Message) -> None:
-            # of what many are sent, as files, no part is copied
+            # Shared content such as files is sent without copies.
             body, more = memoryview(message["body"]), message.get("more_body", False)
             for start in range(0, len(body), PART_BYTES):
                 end = start + PART_BYTES
@@ -101,7 +100,7 @@ class Requests:
         try:
             await self.app(scope, receive, with_headers)
         except ClientDisconnect:
-            pass  # before its body was whole: there is nobody to answer
+            pass  # the client left before its body was whole
         except asyncio.CancelledError:  # the service stops, and has waited long enough
             if not record.status:
                 stopping = unavailable("The service is stopping").response()
@@ -126,7 +125,7 @@ def _request_id(headers: dict[bytes, bytes]) -> str:
 
 
 def _timing(record: Record) -> bytes:
-    """Where the time of a request went."""
+    """Header with the times of a request."""
     total_ms = (record.answered - record.started) * 1e3
     if record.calculation_us:
         return b"calculation;dur=%.3f, total;dur=%.3f" % (record.calculation_us / 1e3, total_ms)

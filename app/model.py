@@ -1,4 +1,4 @@
-"""What every request and answer shares: strictness, units, accuracy, warnings."""
+"""Common base of requests and answers: strictness, units, accuracy, warnings."""
 
 import math
 import re
@@ -63,18 +63,18 @@ SMALLEST = 1e-12
 LARGEST = 1e12
 
 Size = Annotated[float, Field(ge=SMALLEST, le=LARGEST)]
-"""A positive physical quantity, in its unit: within these limits no result leaves the range of
-numbers and none loses digits at its lower end."""
+"""Positive physical quantity in its unit: within these limits no result leaves the range of
+numbers, and none loses digits at its lower end."""
 
 RingSize = Annotated[float, Field(ge=SMALLEST, le=1e5)]
-"""A size of a ring, mm: up to a hundred metres; the turn of a larger one takes long."""
+"""Size of a ring, mm, up to a hundred metres, as the turn of a larger one takes long."""
 
 Angle = Annotated[float, Field(ge=-3600, le=3600)]
-"""An angle in degrees, of up to ten turns."""
+"""Angle in degrees, of up to ten turns."""
 
 
 def no_dust(value: Any) -> Any:
-    """Validator of quantities that may be 0 or negative: smaller sizes lose their digits."""
+    """Validator of quantities that may be 0 or negative: refuse tiny values, which lose digits."""
     if isinstance(value, list):
         return [*map(no_dust, value)]
     if 0 < abs(value) < SMALLEST:
@@ -85,11 +85,11 @@ def no_dust(value: Any) -> Any:
 NO_DUST: dict[str, Any] = {
     "anyOf": [{"const": 0}, {"minimum": SMALLEST}, {"maximum": -SMALLEST}],
 }
-"""What `no_dust` takes, for a field's JSON schema."""
+"""Values that `no_dust` accepts, for a field's JSON schema."""
 
 
 class _NotNull:
-    """Marks a field that may be absent, but is never null."""
+    """Mark of a field that may be absent, but is never null."""
 
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
@@ -101,7 +101,7 @@ class _NotNull:
 
 Present = TypeVar("Present")
 Maybe = Annotated[Present | None, _NotNull(), Field(default=None)]
-"""What may be absent: None in Python, which is its default, and no null in JSON."""
+"""Value that may be absent: None in Python, by default, and no null in JSON."""
 
 
 def _whole(value: Any) -> Any:
@@ -109,15 +109,15 @@ def _whole(value: Any) -> Any:
 
 
 Whole = Annotated[int, BeforeValidator(_whole)]
-"""A whole number, as 3 or as 3.0: other programs write it so."""
+"""Whole number, as 3 or as 3.0, as other programs write it."""
 
 
 MAX_NAME = 64
-"""Most letters of a name in a pointer; longer ones are cut."""
+"""Longest name in a pointer; longer names are cut."""
 
 
 def pointer(path: Iterable[str | int]) -> str:
-    """JSON pointer (RFC 6901) of a path; names that are too long are cut."""
+    """JSON pointer (RFC 6901) of a path, with long names cut."""
     return "".join(map(_token, path))
 
 
@@ -128,14 +128,12 @@ def _token(part: str | int) -> str:
 
 
 UNION_TAGS: set[str] = set()
-"""Names of the branches of a field's unions: pydantic puts them into the path of an error; they are
-no fields."""
+"""Names of the branches of a field's unions, which are no fields; pydantic puts them into error
+paths."""
 
 
 def _complete_schema(schema: dict[str, Any]) -> None:
-    """Write each field's unit, which its name ends in, into the JSON schema; its description in one
-    line; no default of null.
-    """
+    """Complete a JSON schema: units by names, descriptions in one line, no null defaults."""
     for name, field in schema.get("properties", {}).items():
         if "description" in field:
             field["description"] = " ".join(field["description"].split())
@@ -143,23 +141,23 @@ def _complete_schema(schema: dict[str, Any]) -> None:
             field["x-unit"] = unit
         if field.get("default", ...) is None:
             del field["default"]
-        for ours, theirs in (("ge", "minimum"), ("le", "maximum")):  # of whole numbers
+        for ours, theirs in (("ge", "minimum"), ("le", "maximum")):  # left in by whole numbers
             if ours in field:
                 field[theirs] = field.pop(ours)
 
 
 def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
-    """The schema of a request: units, and which of its fields exclude or need each other."""
+    """Complete the schema of a request with units, and with rules between its fields."""
     _complete_schema(schema)
     if rules := schema_rules(model):
         schema["allOf"] = rules
 
 
 class RequestModel(BaseModel):
-    """A request: numbers only, finite only, nothing unknown.
+    """A request with numbers only, finite only, and no unknown fields.
 
-    The text below a field is its help. `group` is the group of the form that the fields of a class
-    belong to, but for those that name another.
+    The text below a field is its help. `group` names the form group of the fields of a class,
+    except for fields that name another group.
     """
 
     model_config = ConfigDict(
@@ -171,24 +169,24 @@ class RequestModel(BaseModel):
     )
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ()
-    """Forms of which just one has to be given, each its names in JSON; an empty one says that none
-    need be."""
+    """Forms of which exactly one has to be given, as names in JSON; an empty form makes all
+    optional."""
 
     KIND: ClassVar[str] = "kind"
-    """The field that says of which kind it is."""
+    """Field that states the kind of the model."""
 
     OF_OTHERS: ClassVar[tuple[str, str]] = ("of_another_kind", "kind")
-    """Code of what belongs to another one, and its parameter that names the one that is given."""
+    """Error code of a field of another kind, and the parameter that names the given kind."""
 
     KINDS: ClassVar[Kinds] = {}
-    """What its kinds have; fields that no kind has are those of all. None: without a kind."""
+    """Fields by kind, with None for no kind; fields in no kind belong to all kinds."""
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = ()
-    """Rules between its fields, which the JSON schema has too, and those that reach into the
-    models within, which it has not."""
+    """Rules between fields. The JSON schema has those between own fields, but not those that reach
+    into nested models."""
 
     RULES: ClassVar[tuple[dict[str, Any], ...]] = ()
-    """What its JSON schema says besides, of which a validator says the same."""
+    """Further rules of the JSON schema, which a validator checks too."""
 
     def __init_subclass__(cls, *, group: str | None = None, **config: Any) -> None:
         super().__init_subclass__(**config)
@@ -205,15 +203,13 @@ class RequestModel(BaseModel):
 
     @cached_property
     def core_paths(self) -> dict[str, tuple[str, ...]]:
-        """Path of the field of each core parameter, here or in the models within, the first; by its
-        name alone and beneath those of the models that hold it, ``pin.diameter``.
+        """Path of the field of each core parameter, in this model or nested ones, by its name alone
+        (the first one counts) and with the names of the models around it, ``pin.diameter``.
         """
         return core_paths(self.shape)
 
     def path_of(self, parameter: str) -> tuple[str | int, ...]:
-        """Path of the field of a core parameter, ``rollers[2].z_max`` included; empty where it has
-        none.
-        """
+        """Path of the field of a core parameter, as ``rollers[2].z_max``; empty without a field."""
         path = self.core_paths.get(parameter, ())
         if path or "[" not in parameter:
             return path
@@ -228,7 +224,7 @@ class RequestModel(BaseModel):
 
     @cached_property
     def shape(self) -> "Shape":
-        """Its model, and its fields that are given, with the shapes of the models in them."""
+        """Model, and its given fields with the shapes of nested models."""
         given = [
             (name, value.shape if isinstance(value, RequestModel) else None)
             for name, value in self.given.items()
@@ -262,29 +258,19 @@ class RequestModel(BaseModel):
                 raise field_error(name, code, **{named: kind or "none"})
 
     def says(self, path: str) -> bool:
-        """Whether the field at a path is given.
-
-        Parameters
-        ----------
-        path : str
-            Names of the fields from this model on, by ``/``.
-
-        Returns
-        -------
-        bool
-        """
+        """True if the field at a path, names separated by ``/``, is given."""
         name, _, within = path.partition("/")
         named = name in self.model_fields_set
         return named and (not within or getattr(self, name).says(within))
 
     @cached_property
     def given(self) -> "Mapping[str, Any]":
-        """The fields that have a value, by their names."""
-        own = vars(self)  # with what is worked out of them and kept
+        """Fields that have a value, by their names."""
+        own = vars(self)  # cached properties are in it too
         return {name: value for name in _core_plan(type(self)) if (value := own[name]) is not None}
 
     def model_copy(self, *, update: "Mapping[str, Any] | None" = None, deep: bool = False) -> Self:
-        """The same with other fields; what is worked out and kept is of the former ones."""
+        """Copy with other fields, without cached values of the former ones."""
         copy = super().model_copy(update=update, deep=deep)
         copy._forget()
         return copy
@@ -300,15 +286,16 @@ class RequestModel(BaseModel):
             del own[name]
 
     def to_core(self) -> dict[str, Any]:
-        """The given fields as the core's arguments, in SI units."""
+        """Given fields as the core's arguments, in SI units."""
         plan = _core_plan(type(self))
         return {plan[name].core: plan[name].convert(value) for name, value in self.given.items()}
 
     ASSUMED: ClassVar[tuple[str, ...]] = ()
-    """Fields whose default decides about the answer, which says so where they are not given."""
+    """Fields whose default decides about the answer, which states the default if they are not
+    given."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """What is assumed, since it is not given: the path of each field, and its value."""
+        """Path and value of each field that is assumed, as it is not given."""
         for name, value in self.given.items():
             if name in self.ASSUMED and name not in self.model_fields_set:
                 yield (name,), value
@@ -317,40 +304,34 @@ class RequestModel(BaseModel):
                 yield from (((name, *path), inner) for path, inner in value.assumed())
 
     def without(self, path: tuple[str, ...]) -> "Values":
-        """What the answer would be without an assumption, where that is soon said."""
+        """Values of the answer without an assumption, if they are quickly calculated."""
         return {}
 
     def notices(self) -> tuple[Notice, ...]:
-        """What of the request is taken otherwise than it is typed."""
+        """Notices of inputs that are interpreted differently from their typed form."""
         parts = (each for each in self.given.values() if isinstance(each, RequestModel))
         return tuple(chain.from_iterable(each.notices() for each in parts))
 
     def cost(self) -> float:
-        """How many points are calculated, which says where (`app.endpoint.LIGHT_COST`): of what
-        solves or searches so many that it leaves the event loop whatever it states.
+        """Number of calculated points, compared with `app.endpoint.LIGHT_COST`; infinite for
+        searches and solutions, which always leave the event loop.
         """
         return math.inf
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse what exceeds the operator's limits.
-
-        Raises
-        ------
-        InvalidInput
-            If it does.
-        """
+        """Raise `InvalidInput` if the request exceeds the operator's limits."""
 
 
 class _InCore(NamedTuple):
-    """How a field is told to the core."""
+    """Conversion of a field to the core."""
 
-    core: str  # its name there
-    convert: Convert  # what takes its values to SI units
+    core: str  # name in the core
+    convert: Convert  # conversion of values to SI units
 
 
 @cache
 def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
-    """How the fields of a request are told to the core."""
+    """Conversion of the fields of a request to the core, by field."""
     plan = {}
     for name, field in model.model_fields.items():
         part = any(issubclass(held, PartFields) for held, _ in _held(field.annotation))
@@ -359,11 +340,11 @@ def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
 
 
 class PartFields(RequestModel):
-    """A part of a section, alone or in a list: the arguments of the core have it in SI units."""
+    """Part of a section, alone or in a list, which the core's arguments have in SI units."""
 
     @abstractmethod
     def section(self) -> Any:
-        """The same in SI units."""
+        """Part in SI units."""
 
 
 def _section(part: Any) -> Any:
@@ -381,22 +362,22 @@ def quantity(
     schema: dict[str, Any] | None = None,
     **limits: Any,
 ) -> Any:
-    """A field with what the form needs to show it; its unit follows from its name.
+    """Field with its data for the form; the unit follows from its name.
 
     Parameters
     ----------
     title, symbol : str
         Name and symbol, as engineers write them.
     group : str, optional
-        Group of the form that the field belongs to, where it is not that of its class.
+        Form group of the field, if it differs from that of its class.
     help : str, optional
-        What it is, in a sentence, where no text below the field says it.
+        Meaning in one sentence, if no text below the field states it.
     step : float, optional
-        By how much the arrow keys change it.
+        Change by the arrow keys.
     advanced : bool
-        Whether the form may fold it away.
+        True if the form may hide it.
     schema : dict, optional
-        What its JSON schema says besides, where validators do more than limits.
+        Further JSON schema, if validators do more than limits.
     **limits
         Default and limits, as pydantic's `Field` takes them.
     """
@@ -411,16 +392,9 @@ def quantity(
 
 
 def result(meaning: str, *, symbol: str = "", equation: str = "") -> Any:
-    """A field of an answer with what it means; its unit follows from its name.
+    """Field of an answer with its meaning in one sentence; the unit follows from its name.
 
-    Parameters
-    ----------
-    meaning : str
-        What it is, in a sentence.
-    symbol : str
-        Symbol of the nomenclature.
-    equation : str
-        Source with the number of its equation.
+    `symbol` is that of the nomenclature, `equation` the source with its equation number.
     """
     shown = {"x-symbol": symbol, "x-equation": equation}
     extra = {key: value for key, value in shown.items() if value}
@@ -428,27 +402,28 @@ def result(meaning: str, *, symbol: str = "", equation: str = "") -> Any:
 
 
 class WorkedFields(RequestModel):
-    """A request that can ask how its answer follows."""
+    """A request that can ask for worked steps."""
 
     include: list[Literal["worked"]] = Field(
         default=[], max_length=1, description="Optional results: what is not named is not computed."
     )
 
     def to_core(self) -> dict[str, Any]:
-        """The given fields as the core's arguments, without what is asked."""
+        """Given fields as the core's arguments, without `include`."""
         own = super().to_core()
         own.pop("include", None)
         return own
 
 
 Shape = tuple[type[RequestModel], tuple[tuple[str, "Shape | None"], ...]]
-"""Of a request, what the paths of its fields hang on, and which of them are given."""
+"""Model of a request with its given fields, which determines the paths of fields."""
 
 
 @lru_cache(maxsize=512)
 def core_paths(shape: Shape) -> dict[str, tuple[str, ...]]:
-    """Paths of the fields of a request, by its shape; where a model is not given, as if it were. By
-    its name alone a parameter is the first of that name that is given, or else the first.
+    """Paths of the fields of a request, by its shape; a nested model that is not given counts as
+    given. A plain parameter name stands for the first given field of that name, or else the first
+    one.
     """
     model, within = shape[0], present(dict(shape[1]))
     plan = _core_plan(model)
@@ -484,23 +459,21 @@ def _held(annotation: Any) -> list[Shape]:
 
 
 Values = dict[str, Any]
-"""An answer, or a part of it, as it is sent: what there is, by the names of its model."""
+"""Answer or part of it as it is sent: present values by the names of its model."""
 
 
 def present(values: Mapping[str, Any]) -> Values:
-    """What there is of values: those that are not None."""
+    """Values that are not None."""
     return {name: value for name, value in values.items() if value is not None}
 
 
 class ResponseModel(BaseModel):
-    """The description of an answer, whose values are read from a core result by names without
-    units.
-    """
+    """Description of an answer, whose values are read from a core result by names without units."""
 
     model_config = ConfigDict(json_schema_extra=_complete_schema, allow_inf_nan=False)
 
     BESIDE: ClassVar[tuple[str, ...]] = ()
-    """Fields that are no attributes of the result: said beside it, else absent."""
+    """Fields that are not attributes of the result: given beside it, or absent."""
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
@@ -508,17 +481,16 @@ class ResponseModel(BaseModel):
 
     @classmethod
     def values(cls, result: Any, run_time_us: float | None = None, **given: Any) -> Values:
-        """Values of an answer from a core result, without what is not known of it; arrays stay
-        arrays.
+        """Values of an answer from a core result, without unknown ones; arrays stay arrays.
 
         Parameters
         ----------
         result : object
-            Core result, in SI units, with attributes named as the fields without their units.
+            Core result, SI, with attributes named as the fields without units.
         run_time_us : float, optional
-            What the calculation cost, for `accuracy`.
+            Run time of the calculation, for `accuracy`.
         **given
-            Fields that are said here, not read from the result; absent where None.
+            Fields that replace those of the result; absent if None.
         """
         values, plan = present(given), _plan(cls, *given)
         for name, attribute, convert, needed in plan.read:
@@ -538,7 +510,7 @@ class ResponseModel(BaseModel):
 
 
 def _leave_to_checks(values: Values, checks: list[Values]) -> None:
-    """Leave out of an answer and its sections the warnings that its checks say."""
+    """Remove warnings from an answer and its sections that its checks state."""
     said = {each["code"] for each in checks}
     said |= {each["reason"]["code"] for each in checks if "reason" in each}
     for part in (values, *values.values()):
@@ -548,50 +520,41 @@ def _leave_to_checks(values: Values, checks: list[Values]) -> None:
 
 
 Report = Callable[[float], None]
-"""Is told how much of a study is done, from 0 to 1."""
+"""Function that is told the progress of a study, from 0 to 1."""
 
 
 def untold(share: float) -> None:
-    """How much is done, where nobody is told."""
+    """Progress report that nobody receives."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Calculation:
-    """A calculation as the service offers it; `app.registry` lists all of them."""
+    """Calculation as the service offers it; `app.registry` lists all of them."""
 
-    # Its path below the API's prefix; its one name in batches, studies and examples too.
+    # Path below the API's prefix, and name in batches, studies and examples.
     name: str
-    title: str  # what it is, for people
-    tag: str  # its chapter in the API's description
-    request: Any  # model of its request, or an annotated union of models
-    answer: type["ResponseModel"]  # model that describes its answer
-    solve: Callable[[Any], Values]  # a function of a module: the values of the answer to a request
-    # A function of a module: the Plotly figure of a request and a theme.
+    title: str  # name for users
+    tag: str  # chapter in the API's description
+    request: Any  # model of the request, or an annotated union of models
+    answer: type["ResponseModel"]  # model that describes the answer
+    solve: Callable[[Any], Values]  # module function: values of the answer to a request
+    # Module function: Plotly figure of a request and a theme.
     figure: Callable[[Any, Any], dict[str, Any]] | None = None
-    sources: tuple[str, ...] = ()  # where its formulas come from
-    # What its model leaves out with all of its sections given, keys of `app.registry.NEGLECTED`.
+    sources: tuple[str, ...] = ()  # sources of its formulas
+    # Effects left out even with all sections given, keys of `app.registry.NEGLECTED`.
     neglects: tuple[str, ...] = ()
-    batched: bool = True  # whether batches take it
-    # A function of a module: the worked steps of a request, as `app.worked` makes them.
+    batched: bool = True  # True if batches take it
+    # Module function: worked steps of a request, as `app.worked` makes them.
     worked: Callable[[Any], list[Values]] | None = None
 
     def solved(self, body: Any, report: Report) -> Values:
-        """Values of the answer to a request, by the calculation alone."""
+        """Values of the answer to a request, without assumptions and notices."""
         return self.solve(body)
 
     def answered(self, body: Any, report: Report = untold) -> Values:
-        """Values of the answer to a request, with what was assumed and taken otherwise than typed.
+        """Values of the answer to a request, with assumptions and notices of the input.
 
-        Parameters
-        ----------
-        body : RequestModel
-            The request.
-        report : callable, optional
-            Of a study what is told how much is done, from 0 to 1.
-
-        Returns
-        -------
-        dict
+        `report` is told the progress of a study, from 0 to 1.
         """
         values = self.solved(body, report)
         if assumed := [
@@ -610,12 +573,12 @@ class Calculation:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StudyCalculation(Calculation):
-    """A calculation that may take long, and says meanwhile how much of it is done."""
+    """Calculation that may take long and reports its progress."""
 
-    reporting: Callable[[Any, Report], Values]  # as `solve`, with what is told
+    reporting: Callable[[Any, Report], Values]  # function `solve` with a progress report
 
     def solved(self, body: Any, report: Report) -> Values:
-        """Values of the answer to a request; what is told is told."""
+        """Values of the answer to a request; progress is reported."""
         return self.reporting(body, report)
 
 
@@ -631,19 +594,18 @@ class File(NamedTuple):
 class Export:
     """Files of a design as the service offers them; `app.registry` lists all of them."""
 
-    name: str  # its path below the API's prefix
-    title: str  # what it is, for people
-    request: type["RequestModel"]  # model of its request
-    write: Callable[[Any], File]  # a function of a module: the file of a request
-    media_types: tuple[str, ...]  # which kinds of files
+    name: str  # path below the API's prefix
+    title: str  # name for users
+    request: type["RequestModel"]  # model of the request
+    write: Callable[[Any], File]  # module function: file of a request
+    media_types: tuple[str, ...]  # media types of the files
 
 
 class _Plan(NamedTuple):
-    """How an answer is made of a core result."""
+    """Conversion of a core result to an answer."""
 
     read: list[tuple[str, str, Convert, bool]]
-    """What is read from it: name, core's name, what makes a value of it that is sent, and whether
-    it has to be there."""
+    """Name, core name, conversion of the value, and True if the value is required."""
     warns: bool
     states_accuracy: bool
 
@@ -678,7 +640,7 @@ def _inner_values(annotation: Any) -> Convert | None:
 
 
 class AccuracyOut(BaseModel):
-    """How the numbers were got, how wrong they may be, and what they cost."""
+    """Method of the numbers, their possible error, and their cost."""
 
     model_config = ConfigDict(json_schema_extra=_complete_schema)
 
@@ -715,7 +677,7 @@ def accuracy_values(accuracy: Accuracy, run_time_us: float) -> Values:
 
 
 class AssumedOut(BaseModel):
-    """What was not given, and decides."""
+    """Important value that was not given."""
 
     pointer: str = Field(description="JSON pointer to the field.")
     value: float | str | dict[str, Any] = Field(description="What is taken for it.")
@@ -729,7 +691,7 @@ class AssumedOut(BaseModel):
 
 
 class StepOut(BaseModel):
-    """How one number of an answer follows from others."""
+    """Derivation of one number of an answer from others."""
 
     model_config = ConfigDict(json_schema_extra=_complete_schema)
 
@@ -765,7 +727,7 @@ class StepOut(BaseModel):
 
 
 def worked_steps() -> Any:
-    """The field of an answer that has its worked steps."""
+    """Field of an answer with its worked steps."""
     return Field(
         default=None,
         description="How its numbers follow from each other, where asked; words by code are in "
@@ -774,24 +736,24 @@ def worked_steps() -> Any:
 
 
 class WorkedResponse(ResponseModel):
-    """An answer that can be worked step by step."""
+    """Answer that can have worked steps."""
 
     worked: Maybe[list[StepOut]] = worked_steps()
 
 
 def assumptions() -> Any:
-    """The field of an answer that says what it assumes."""
+    """Field of an answer with its assumptions."""
     return Field(description="What was not given and decides; absent where all was.")
 
 
 class AssumingResponse(WorkedResponse):
-    """An answer that says what it assumes."""
+    """Answer that states its assumptions."""
 
     assumed: Maybe[list[AssumedOut]] = assumptions()
 
 
 def notices_of(*results: Any) -> tuple[Notice, ...]:
-    """Notices of core results, of those that there are; one may be a notice itself."""
+    """Notices of those core results that are not None; a result may be a notice itself."""
     found: list[Notice] = []
     for each in results:
         if isinstance(each, Notice):
@@ -805,7 +767,7 @@ REPLACED = "The code that this one replaces; for one release."
 
 
 class WarningOut(BaseModel):
-    """A limit of validity that the result strains; the number is given all the same."""
+    """Limit of validity that the result strains; the number is given all the same."""
 
     code: str = Field(description="Which limit.", json_schema_extra={"enum": [*WARNINGS]})
     params: dict[str, Any] = Field(description="What the text names: numbers and fields.")
@@ -814,7 +776,7 @@ class WarningOut(BaseModel):
 
 
 def _taken(name: str, value: object) -> Values:
-    """Value that is assumed for a field, with its range where sources differ."""
+    """Assumed value of a field, with its range if sources differ."""
     if not isinstance(value, Spread):
         return {"value": value}
     usual, low, high = from_si(name, value)
@@ -822,7 +784,7 @@ def _taken(name: str, value: object) -> Values:
 
 
 def warning(notice: Notice) -> Values:
-    """Warning of a core notice; the API's names stand in for the core's."""
+    """Warning of a core notice, with the API's names in place of the core's."""
     params = api_params(notice.params)
     values = {"code": notice.code, "params": params}
     values["detail"] = WARNINGS[notice.code].text.format(**params)

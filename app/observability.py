@@ -1,7 +1,7 @@
-"""What is seen from outside: a log line and metrics for each request.
+"""Log line and metrics of each request.
 
-With several workers the metrics of all are added up through files: prometheus-client does so where
-``PROMETHEUS_MULTIPROC_DIR`` names a directory, which `app.serve` sees to.
+If ``PROMETHEUS_MULTIPROC_DIR`` names a directory, which `app.serve` sets for several workers,
+prometheus-client adds the metrics of all through files.
 """
 
 import atexit
@@ -36,18 +36,18 @@ from app.record import Record
 from app.settings import current
 
 MOST_LINES = 1000
-"""Lines of the log that wait to be read; more are dropped and counted."""
+"""Largest number of log lines waiting to be read; further lines are dropped and counted."""
 
 PAUSE_S = 0.01
-"""How long lines are gathered, seconds."""
+"""Time over which lines are gathered, s."""
 
 TOGETHER_BYTES = 2048
-"""Size from which lines are written: together within the 4096 bytes up to which those of other
-workers do not come between."""
+"""Size at which gathered lines are written: below the 4096 bytes that a pipe writes without lines
+of other workers between them."""
 
 LOG = logging.getLogger("khv.request")
 
-# What no line shows need not be found out for each (the logging module's own advice).
+# Data that no line shows are not collected, as the logging module advises.
 logging.logThreads = logging.logProcesses = logging.logMultiprocessing = False
 
 BUCKETS_S = (0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
@@ -76,7 +76,7 @@ BUILD.labels(VERSION, current().build).set(1)
 
 
 class Output(logging.Handler):
-    """Writes lines to the standard output in a thread: where nobody reads them, nothing waits."""
+    """Handler that writes lines to the standard output in a thread; nothing waits for it."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -86,7 +86,7 @@ class Output(logging.Handler):
         atexit.register(self.flush)
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Hand a line over."""
+        """Queue a line."""
         if self.taken - self.written >= MOST_LINES:
             DROPPED.inc()
             return
@@ -94,7 +94,7 @@ class Output(logging.Handler):
         self.taken += 1
 
     def flush(self) -> None:
-        """Wait for what is to be written, a second at most."""
+        """Wait until lines are written, at most a second."""
         end = time.monotonic() + 1
         while self.written < self.taken and time.monotonic() < end:
             time.sleep(0.005)
@@ -104,19 +104,19 @@ class Output(logging.Handler):
             text, lines = self.lines.get(), 1
             while len(text) < TOGETHER_BYTES and not self.lines.empty():
                 text, lines = text + self.lines.get(), lines + 1
-            with suppress(OSError):  # nobody is there any more
+            with suppress(OSError):  # the reader has gone
                 while text:
                     text = text[os.write(1, text) :]
             self.written += lines
             if self.lines.empty():
-                time.sleep(PAUSE_S)  # to be woken for each line costs more than to write it
+                time.sleep(PAUSE_S)  # waking up for each line costs more than writing it
 
 
 class JsonLines(logging.Formatter):
-    """One JSON object to a line: time, level, and the message or the fields of a request."""
+    """Formatter with one JSON object per line: time, level, message or fields of a request."""
 
     def format(self, record: logging.LogRecord) -> str:
-        """The line of a record."""
+        """Line of a record."""
         line: dict[str, Any] = {
             "time": datetime.fromtimestamp(record.created, UTC),
             "level": record.levelname.lower(),
@@ -131,25 +131,25 @@ class JsonLines(logging.Formatter):
 
 
 WHOLE = ("/static", "/problems")
-"""Routes below which a client may ask for anything: each counts as one."""
+"""Routes with arbitrary paths below them; each route counts as one."""
 
 
 def begin() -> None:
-    """Count a request that is in flight from now on."""
+    """Count a request as in flight."""
     IN_FLIGHT.inc()
 
 
 def end(record: Record, method: str, route: str, error: Exception | None) -> None:
-    """Count and log a request that has been answered and was in flight; what it said is in neither.
+    """Count and log an answered request, without its content.
 
     Parameters
     ----------
     record : Record
-        The request; where it has no status, its client has gone, which is logged as 499.
+        Request; without a status its client has left, which is logged as 499.
     method, route : str
-        Its method, and its path where there is such a route.
+        Method, and path if the route exists.
     error : Exception or None
-        What failed, for the log alone.
+        Failure, for the log alone.
     """
     IN_FLIGHT.dec()
     if method not in METHODS:
@@ -176,10 +176,10 @@ def end(record: Record, method: str, route: str, error: Exception | None) -> Non
         line["read_ms"] = round((record.received - record.started) * 1e3, 3)
     if record.calculated:
         line["calculation_ms"] = round(record.calculation_us / 1e3, 3)
-    if 0 < record.calculated <= record.answered:  # not so of batches that are sent as they are done
+    if 0 < record.calculated <= record.answered:  # batches are answered while they are calculated
         line["encode_ms"] = round((record.answered - record.calculated) * 1e3, 3)
     raised = (type(error), error, error.__traceback__) if error else None
-    # Made here: to find out where in the code it is made costs more than the rest.
+    # The record is made here, as logging's search for the calling line costs more than the rest.
     LOG.handle(logging.LogRecord(LOG.name, level, __file__, 0, line, (), raised))
 
 
@@ -188,7 +188,7 @@ METHODS = frozenset(("GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS")
 
 @cache
 def _meters(method: str, route: str, status: int) -> tuple[Counter, Histogram, Histogram]:
-    """Metrics of a route, found once."""
+    """Metrics of a route, cached."""
     return (
         REQUESTS.labels(method, route, str(status)),
         DURATION.labels(route),
@@ -197,7 +197,7 @@ def _meters(method: str, route: str, status: int) -> tuple[Counter, Histogram, H
 
 
 def _forget_the_dead(shared: Path) -> None:
-    """Drop what killed workers had in flight; what they had answered stays counted."""
+    """Drop requests that killed workers had in flight; answered ones stay counted."""
     for file in shared.glob("gauge_live*_*.db"):
         pid = int(file.stem.rsplit("_", 1)[1])
         try:
@@ -207,7 +207,7 @@ def _forget_the_dead(shared: Path) -> None:
 
 
 def metrics() -> tuple[bytes, str]:
-    """All metrics as Prometheus reads them, those of the other workers included; their type."""
+    """All metrics in Prometheus format, other workers included, and their media type."""
     registry = REGISTRY
     if DIRECTORY in os.environ:
         _forget_the_dead(Path(os.environ[DIRECTORY]))

@@ -1,4 +1,4 @@
-"""What JSON pointers (RFC 6901) point to in a document."""
+"""Access to values of a document by JSON pointers (RFC 6901)."""
 
 from collections.abc import Mapping
 from copy import deepcopy
@@ -11,7 +11,7 @@ def keys(pointer: str) -> list[str]:
 
 
 def inner(document: Any, key: str) -> Any:
-    """What a key holds: of an object, of a list by index or by code; None where nothing does."""
+    """Value at a key of an object, or at an index or code of a list; None if there is none."""
     if isinstance(document, dict):
         return document.get(key)
     if isinstance(document, list):
@@ -24,14 +24,14 @@ def inner(document: Any, key: str) -> Any:
 
 
 def holder(document: Any, path: list[str]) -> Any:
-    """What holds the last key of a path, None where there is no such thing."""
+    """Object or list that holds the last key of a path; None if there is none."""
     for key in path[:-1]:
         document = inner(document, key)
     return document
 
 
 def with_values(document: dict[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
-    """A document with other values, by JSON pointers to what it has room for."""
+    """Copy of a document with other values, by JSON pointers."""
     found = deepcopy(document)
     for pointer, value in values.items():
         path = keys(pointer)
@@ -41,7 +41,7 @@ def with_values(document: dict[str, Any], values: Mapping[str, Any]) -> dict[str
 
 
 def has_number(schema: dict[str, Any], path: list[str]) -> bool:
-    """Tell whether a document of a JSON schema of pydantic's may have a number at a path."""
+    """True if a document of a pydantic JSON schema may have a number at a path."""
 
     def found(part: Any, path: list[str]) -> bool:
         if "$ref" in part:

@@ -1,5 +1,5 @@
-"""Errors as problem details (RFC 9457): one shape, one table from exception to status; and the
-refusals of a calculation in the names of its request.
+"""Errors as problem details (RFC 9457), with one table from exception to status; and refusals of a
+calculation in the names of its request.
 """
 
 from collections.abc import Callable
@@ -24,13 +24,13 @@ from core.errors import CalculationError, ImpossibleMechanism, InvalidInput, Not
 MEDIA_TYPE = "application/problem+json"
 
 RETRY_AFTER_S = 5
-"""When to ask again after a 503 where nothing says more, seconds."""
+"""Default time of `Retry-After` in a 503, s."""
 
 MAX_ERRORS = 50
-"""Most wrong fields that an answer names."""
+"""Largest number of wrong fields that an answer names."""
 
 MAX_DESCRIBED = 1000
-"""Most errors that pydantic is asked to describe, which costs more than to find them."""
+"""Largest number of errors that pydantic describes, as describing costs more than finding them."""
 
 OF_REQUESTS = {
     "always_exact": "is no longer asked: forces are solved in exact geometry alone; leave it out",
@@ -90,10 +90,10 @@ OF_REQUESTS = {
     "are solved then, not assumed",
     "with_rollers": "must be at most {limit}, with {rollers} rollers",
 }
-"""What is wrong with a request before anything is calculated, in the form of `core.codes`."""
+"""Texts of errors found before any calculation, in the form of `core.codes`."""
 
 TEXTS = {code: each.text for code, each in REFUSALS.items()} | OF_REQUESTS | IN_MILLIMETRES
-"""What is wrong, by code: the rest of a sentence that starts with the field; the page has its own
+"""Texts of errors by code: the rest of a sentence that starts with the field; the page has its own
 words for each code."""
 
 KINDS = {
@@ -139,7 +139,7 @@ KINDS = {
     ),
     "unsupported-media-type": (415, "The body is not sent as plain `application/json`."),
 }
-"""Kinds of problems, as the address in their `type` says: their HTTP status, and what they are."""
+"""Kinds of problems, as in the address of their `type`, with HTTP status and meaning."""
 
 RESPONSES: dict[int | str, dict[str, Any]] = {
     status: {
@@ -148,7 +148,7 @@ RESPONSES: dict[int | str, dict[str, Any]] = {
     }
     for status in (413, 415, 422, 503)
 }
-"""Refusals of every calculation, as its description shows them."""
+"""Refusals of every calculation, as the API's description shows them."""
 
 _PARAMS = {
     "greater_than": "gt",
@@ -171,15 +171,15 @@ _CODES = {
 """Pydantic's parameters and codes where they differ from ours."""
 
 GONE: dict[int | str, str] = {"geometry": "always_exact"}
-"""Fields that requests no longer have, and the code that says why; for one release."""
+"""Removed fields of requests with the code of the reason; kept for one release."""
 
 SAYING = ("dust", "several_materials", "unknown_material")
-"""Codes of ours whose text names what a validator has said."""
+"""Codes whose text contains the message of a validator."""
 
 
 @dataclass(frozen=True, slots=True)
 class FieldProblem:
-    """What is wrong with one field."""
+    """Error of one field."""
 
     pointer: Annotated[str, Field(description="JSON pointer to the field; empty for the body.")]
     code: Annotated[
@@ -195,44 +195,44 @@ class FieldProblem:
     was: Annotated[Maybe[str], Field(description=REPLACED)] = None
 
     def body(self) -> dict[str, Any]:
-        """The same as JSON."""
+        """Error as JSON."""
         return present({each.name: getattr(self, each.name) for each in fields(self)})
 
 
 def wrong(pointer: str, code: str, **params: Any) -> FieldProblem:
-    """What is wrong with the field at a pointer: a key of `TEXTS`, and what its text names."""
+    """Error of the field at a pointer, by a key of `TEXTS` and the parameters of its text."""
     detail = TEXTS[code].format(**params)
     return FieldProblem(pointer, code, params, detail, WAS["errors"].get(code))
 
 
 @dataclass(slots=True)
 class Problem(Exception):
-    """A refusal, ready to be sent."""
+    """Refusal, ready to be sent."""
 
     kind: str  # last part of the problem's type, a key of `KINDS`
-    detail: str  # this occurrence, for people
-    errors: list[FieldProblem] = field(default_factory=list)  # the fields it is about
-    more: int = 0  # how many fields besides are wrong
-    # Position at which it happens, by API names.
+    detail: str  # description for users
+    errors: list[FieldProblem] = field(default_factory=list)  # wrong fields
+    more: int = 0  # number of further wrong fields
+    # Position of the error, by API names.
     where: dict[str, float] = field(default_factory=dict)
-    headers: dict[str, str] = field(default_factory=dict)  # of the answer
+    headers: dict[str, str] = field(default_factory=dict)  # headers of the answer
 
     @property
     def status(self) -> int:
-        """HTTP status."""
+        """HTTP status of the kind."""
         return KINDS[self.kind][0]
 
     @property
     def title(self) -> str:
-        """Its kind, for people."""
+        """Meaning of the kind, for users."""
         return self.kind.replace("-", " ").capitalize()
 
     def __reduce__(self) -> tuple[type[Self], tuple[Any, ...]]:
-        """How it is handed to another process."""
+        """Pickle the problem for another process."""
         return type(self), tuple(getattr(self, each.name) for each in fields(self))
 
     def body(self) -> dict[str, Any]:
-        """The problem as JSON."""
+        """Problem as JSON."""
         body: dict[str, Any] = {
             "type": f"{root_path()}/problems/{self.kind}",
             "title": self.title,
@@ -247,7 +247,7 @@ class Problem(Exception):
         return body
 
     def naming_at_most(self, errors: int) -> Self:
-        """The same with at most so many errors; `more` says how many are left out."""
+        """Problem with at most `most` errors; `more` counts those left out."""
         if len(self.errors) <= errors:
             return self
         more = self.more + len(self.errors) - errors
@@ -255,19 +255,19 @@ class Problem(Exception):
         return replace(self, errors=named, more=more, detail=_sentence(named, more))
 
     def beneath(self, place: str) -> "Problem":
-        """The same of a request that stands at a place of another."""
+        """Problem of a request that is nested at a pointer of another one."""
         errors = [replace(each, pointer=place + each.pointer) for each in self.errors]
         return invalid_input(errors, self.more)
 
     def response(self) -> Response:
-        """The problem as an HTTP answer."""
+        """Problem as an HTTP answer."""
         return Response(
             orjson.dumps(self.body()), self.status, headers=self.headers, media_type=MEDIA_TYPE
         )
 
 
 class ProblemOut(BaseModel):
-    """A refusal (RFC 9457); its type opens a page that explains it."""
+    """Refusal (RFC 9457); its type opens a page that explains it."""
 
     type: str = Field(description="Address of what is said about refusals of this kind.")
     title: str = Field(description="The kind, in English.")
@@ -281,7 +281,7 @@ class ProblemOut(BaseModel):
 
 
 def invalid_input(errors: list[FieldProblem], more: int = 0) -> Problem:
-    """Problem of a request whose fields are wrong: the first of them, and how many besides."""
+    """Problem of a request with wrong fields: the first ones, and the number of others."""
     return Problem("invalid-input", _sentence(errors, more), errors, more).naming_at_most(
         MAX_ERRORS
     )
@@ -293,7 +293,7 @@ def refusal(pointer: str, code: str, **params: Any) -> Problem:
 
 
 def _sentence(errors: list[FieldProblem], more: int) -> str:
-    """What is wrong with a request, for people."""
+    """Description of the errors of a request, for users."""
     parts = [
         f"{each.pointer.lstrip('/').replace('/', '.') or 'The body'} {each.detail}"
         for each in errors
@@ -308,12 +308,12 @@ def _count(wrong: int) -> str:
 
 
 def too_long(limit_s: float) -> Problem:
-    """Problem of a calculation that is not done in time; it would not be another time."""
+    """Problem of a calculation that takes too long, now and later."""
     return Problem("too-long", f"It was not done within {limit_s:g} s")
 
 
 def http_problem(error: HTTPException) -> Problem:
-    """Problem of an HTTP error: no such path, wrong method."""
+    """Problem of an HTTP error such as an unknown path or a wrong method."""
     kind = next(kind for kind, (status, _) in KINDS.items() if status == error.status_code)
     detail = "No such path, see /api/v1/openapi.json" if kind == "not-found" else error.detail
     return Problem(kind, str(detail), headers=dict(error.headers or {}))
@@ -326,11 +326,11 @@ def unavailable(detail: str, retry_after_s: int = RETRY_AFTER_S) -> Problem:
 
 
 def wrong_fields(error: ValidationError) -> Problem:
-    """Problem of what pydantic found wrong with a request."""
+    """Problem of the errors that pydantic found in a request."""
     count = error.error_count()
     if count > MAX_DESCRIBED:
         return invalid_input([], count)
-    tag = 1 if error.title.startswith("tagged-union") else 0  # of a union, before its fields
+    tag = 1 if error.title.startswith("tagged-union") else 0  # a union's tag precedes its fields
     items: dict[str, FieldProblem] = {}
     for each in error.errors(include_url=False, include_input=False):
         item = _item(each, each["loc"][tag:])
@@ -359,9 +359,7 @@ def _item(error: ErrorDetails, place: tuple[int | str, ...]) -> FieldProblem:
 
 
 def impossible(error: ImpossibleMechanism, place: str = "") -> Problem:
-    """Problem of a mechanism that cannot exist or cannot work, with the pointer to the field that
-    would have to change, where it is one.
-    """
+    """Problem of a mechanism that cannot exist or work, with a pointer to the field to change."""
     where = dict(api_value(name, value) for name, value in error.where.items())
     at = ", ".join(f"{name} = {value:.10g}" for name, value in where.items())
     params = api_params(error.params)
@@ -386,7 +384,7 @@ REFUSED: dict[type[Exception], Callable[[Any], Problem]] = {
     TooLong: lambda error: too_long(error.limit_s),
     Stopped: lambda _: unavailable("The process of the calculation was stopped"),
 }
-"""Problem of each exception; errors of our own are left to `app.middleware.Requests`."""
+"""Problem of each exception; other errors are left to `app.middleware.Requests`."""
 
 
 def problem_of(error: Exception) -> Problem:
@@ -425,7 +423,7 @@ COMPARING = frozenset(
 
 
 def refuse_for(body: RequestModel, error: CalculationError) -> NoReturn:
-    """Refuse a request by what its calculation raised, in the names of the request's fields."""
+    """Refuse a request by an exception of its calculation, in the names of the request's fields."""
     if isinstance(error, InvalidInput):
         raise named(error, body) from error
     if isinstance(error, NotKnown) and error.refusal:
@@ -438,7 +436,7 @@ def refuse_for(body: RequestModel, error: CalculationError) -> NoReturn:
 
 
 def named(error: InvalidInput, body: RequestModel) -> Problem:
-    """A refusal of the core in the names of a request's fields."""
+    """Refusal of the core in the names of a request's fields."""
     path = body.path_of(error.parameter)
     params = api_params(error.params)
     if error.code in COMPARING:

@@ -1,8 +1,7 @@
-"""Long calculations: in processes beside the event loop, which answers nobody while it calculates.
+"""Long calculations in processes beside the event loop, which cannot answer while it calculates.
 
-A job comes back as the bytes of its answer: the loop neither calculates nor encodes. Its process
-is ended when the time is over or the client has gone; no calculation needs to ask whether it
-should stop.
+A job returns the bytes of its answer, so that the loop neither calculates nor encodes. The process
+of a job is ended if its time is over or the client has left; calculations need no checks for that.
 """
 
 import asyncio
@@ -20,24 +19,18 @@ from app.record import Record, at_hand
 from core.errors import ImpossibleMechanism
 
 Tell = Callable[[Any], None]
-"""What takes a part of what a job has to say."""
+"""Function that takes a part of a job's result."""
 
 
 class CalculationFailed(Exception):
-    """An error of our own in a process; its text is the traceback from there."""
+    """Internal error in a process; the text is the traceback from there."""
 
 
 async def in_process(jobs: Jobs, job: Job, *args: Any, record: Record) -> Any:
-    """What a job tells that tells one thing, in a process, as long as there is time.
+    """Result of a job with one part, in a process, within the allowed time.
 
-    If something stops the process from outside, another one tries it once more.
-
-    Raises
-    ------
-    Problem
-        The job's own.
-    Busy, CannotRun, TooLong, Stopped
-        As `Jobs.run`.
+    A process that is stopped from outside is replaced once. Raises the job's own `Problem`, or the
+    exceptions of `Jobs.run`.
     """
     limit_s = record.settings.max_seconds
     ask = partial(in_parts, jobs, job, *args, record=record, limit_s=limit_s)
@@ -51,7 +44,7 @@ async def in_process(jobs: Jobs, job: Job, *args: Any, record: Record) -> Any:
 async def in_parts(
     jobs: Jobs, job: Job, *args: Any, record: Record, limit_s: float, admitted: bool = False
 ) -> AsyncGenerator[Any]:
-    """What a job tells, in a process, as it comes; its refusal at the end, as `in_process`."""
+    """Parts of a job's result from a process, as they come; a refusal is raised at the end."""
     running = jobs.run(told, job, args, limit_s=limit_s, admitted=admitted, client=record.client)
     refusal: Exception | None = None
     async with aclosing(running):
@@ -68,13 +61,7 @@ async def in_parts(
 
 @asynccontextmanager
 async def wanted(record: Record) -> AsyncIterator[None]:
-    """Ends what is done within when the client goes.
-
-    Raises
-    ------
-    ClientDisconnect
-        If it does.
-    """
+    """Context that is cancelled, and raises `ClientDisconnect`, if the client leaves."""
     working = asyncio.current_task()
     assert working is not None
 
@@ -95,9 +82,7 @@ async def wanted(record: Record) -> AsyncIterator[None]:
 
 
 def told(tell: Callable[..., None], job: Job, args: tuple[Any, ...]) -> None:
-    """Do a job in this process, and tell with each part how long its calculations took; or its
-    error.
-    """
+    """Do a job in this process, and return each part with its calculation time, or the error."""
     record = Record()
     at_hand.set(record)
 

@@ -1,8 +1,8 @@
-"""HTTP connections that are bounded: uvicorn's protocol with limits of its own.
+"""HTTP connections with limits: uvicorn's protocol, extended.
 
-What a proxy does well is left to it: slow heads, connections by address (`deploy/nginx.conf`). Here
-is what only the connection itself can do: refuse what is too many or too long, and end what does
-not come or is not taken.
+A proxy limits slow heads and connections by address (`deploy/nginx.conf`). Only the connection
+itself can do the rest: refuse too many or too long requests, and end connections that send or take
+nothing.
 """
 
 import asyncio
@@ -23,24 +23,24 @@ from app.settings import OVER_UNIX, current
 LOG = logging.getLogger("khv.connection")
 
 MAX_HEAD_BYTES = 65_536
-"""Longest request line and headers together."""
+"""Largest size of request line and headers together."""
 
 LAST_REQUEST_SECONDS = 0.5
-"""How long an idle connection may still bring a request while the service stops."""
+"""Time in which an idle connection may still bring a request while the service stops, s."""
 
 CODING = b"transfer-encoding"
 
 PROBES = ("/livez", "/metrics")
-"""Paths that are answered even beyond the limit of connections: to be full is not to be dead."""
+"""Paths answered beyond the limit of connections too, as a full service is alive."""
 
 
 class PatientProtocol(HttpToolsProtocol):
-    """A connection with one request at a time, whose answer is taken part by part.
+    """Connection with one request at a time, whose answer is taken part by part.
 
-    A second request that comes before the first is answered is not read and ends the connection
-    after that answer. A body that is not whole within `KHV_RECEIVE_SECONDS` of its head is refused;
-    a client that takes nothing of its answer for as long is cut off. What comes beyond
-    `KHV_MAX_CONNECTIONS` is told when to come again.
+    A second request before the answer to the first one is not read, and ends the connection after
+    that answer. A body that is not whole within `KHV_RECEIVE_SECONDS` of its head is refused, and a
+    client that takes nothing of its answer for as long is cut off. Connections beyond
+    `KHV_MAX_CONNECTIONS` are told when to come again.
     """
 
     def __init__(self, *args: Any, **given: Any) -> None:
@@ -52,9 +52,9 @@ class PatientProtocol(HttpToolsProtocol):
         self.stopping = self.ending = False
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """Wait for the first request as for a next one; see whether there is room for it."""
+        """Wait for the first request, and see if there is room for the connection."""
         super().connection_made(transport)
-        self.client = self.client or (OVER_UNIX, 0)  # whom uvicorn trusts
+        self.client = self.client or (OVER_UNIX, 0)  # uvicorn trusts this address
         self.timeout_keep_alive_task = self.loop.call_later(
             self.timeout_keep_alive, self.timeout_keep_alive_handler
         )
@@ -62,10 +62,10 @@ class PatientProtocol(HttpToolsProtocol):
             self.app = Full(self.app)
             BEYOND.append(self)
             if len(BEYOND) > MOST_BEYOND:
-                BEYOND.popleft().transport.abort()  # descriptors are not to run out
+                BEYOND.popleft().transport.abort()  # descriptors must not run out
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Wait for nothing."""
+        """Stop all timers."""
         _cancel(self.body_timer)
         _cancel(self.answer_timer)
         with suppress(ValueError):
@@ -73,8 +73,8 @@ class PatientProtocol(HttpToolsProtocol):
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """Take a part of a request, unless it is not to be read or its head has no end; what comes
-        whole, as most do, waits for nothing.
+        """Take a part of a request, unless it must not be read or its head has no end. A request
+        that arrives whole, as most do, starts no timer.
         """
         if self.ending:
             return
@@ -89,14 +89,14 @@ class PatientProtocol(HttpToolsProtocol):
             )
 
     def on_message_begin(self) -> None:
-        """Begin a request, unless the one before is not answered yet."""
+        """Begin a request, unless the previous one is not answered yet."""
         if self.cycle is not None and not self.cycle.response_complete:
             self._read_no_more()
         super().on_message_begin()
         self.head_bytes = 0
 
     def on_headers_complete(self) -> None:
-        """Hand a request over; while the service stops, its answer is the connection's last."""
+        """Pass a request on; while the service stops, its answer is the connection's last."""
         self.head_bytes = None
         if len(self.url) + sum(map(len, chain(*self.headers))) > MAX_HEAD_BYTES:
             self._refuse(HEAD_TOO_LARGE)
@@ -110,14 +110,14 @@ class PatientProtocol(HttpToolsProtocol):
             self.cycle.keep_alive = False
 
     def on_message_complete(self) -> None:
-        """The request is whole."""
+        """Note that the request is whole."""
         _cancel(self.body_timer)
         self.body_timer = None
         super().on_message_complete()
 
     def on_response_complete(self) -> None:
-        """End a connection that has more to bring than was asked of it: that is dropped as long as
-        an idle one is kept, so that the answer can be read.
+        """End a connection that sends more than was requested. Surplus data are dropped for as long
+        as an idle connection is kept, so that the client can read the answer.
         """
         self.ending |= self.cycle.more_body
         super().on_response_complete()
@@ -125,7 +125,7 @@ class PatientProtocol(HttpToolsProtocol):
             self.transport.write_eof()
 
     def shutdown(self) -> None:
-        """Stop: an idle connection has a moment more, as a request may be on its way already."""
+        """Stop; an idle connection has a moment more, as a request may be on its way."""
         self.stopping = True
         if self.cycle is None or self.cycle.response_complete:
             self.loop.call_later(LAST_REQUEST_SECONDS, super().shutdown)
@@ -140,27 +140,27 @@ class PatientProtocol(HttpToolsProtocol):
         )
 
     def resume_writing(self) -> None:
-        """Go on: the client has taken what was there."""
+        """Continue after the client has taken its part."""
         _cancel(self.answer_timer)
         super().resume_writing()
 
     def send_400_response(self, msg: str) -> None:
-        """Refuse what is no HTTP."""
+        """Refuse data that are not HTTP."""
         if not self.ending:
             self._give_up(Problem("bad-request", msg.rstrip(".")))
 
     def _read_no_more(self) -> NoReturn:
-        """Stop the parser within what it is given, and take nothing else."""
+        """Stop the parser within its present data, and take no more."""
         self.ending = True
         raise ConnectionAbortedError
 
     def _refuse(self, problem: Problem) -> NoReturn:
-        """Say why what comes is not read."""
+        """Tell the client why its data are not read."""
         self._give_up(problem)
         self._read_no_more()
 
     def _give_up(self, problem: Problem) -> None:
-        """Say why to a client that awaits an answer, and close the connection."""
+        """Tell a waiting client the reason, and close the connection."""
         LOG.warning({"message": problem.detail, "status": problem.status})
         cycle = self.cycle
         if cycle is None or cycle.scope is not self.scope or not cycle.response_started:
@@ -169,13 +169,13 @@ class PatientProtocol(HttpToolsProtocol):
 
 
 MOST_BEYOND = 64
-"""Connections beyond the limit that may be open for a moment, to ask for a probe or be refused."""
+"""Largest number of connections beyond the limit, which briefly ask for a probe or are refused."""
 
 BEYOND: deque[PatientProtocol] = deque()
 
 
 class Full:
-    """Refuses every request but the probes."""
+    """Application that refuses every request but the probes."""
 
     def __init__(self, app: Any) -> None:
         self.app = app
@@ -203,7 +203,7 @@ def _cancel(timer: asyncio.TimerHandle | None) -> None:
 
 
 def _raw(problem: Problem) -> bytes:
-    """A problem as it goes over a connection that has no request to answer."""
+    """Bytes of a problem for a connection without a request."""
     response: Response = problem.response()
     headers = [*response.raw_headers, *HEADERS, (b"connection", b"close")]
     lines = [b"HTTP/1.1 %d %s" % (problem.status, problem.title.encode())]

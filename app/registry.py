@@ -1,4 +1,4 @@
-"""All calculations of the service; routes, batches, examples and tests read them from here."""
+"""All calculations of the service, from which routes, batches, examples and tests read them."""
 
 from app.calculations import (
     contact_force,
@@ -46,7 +46,7 @@ CALCULATIONS: dict[str, Calculation] = {
         work_precision,
     )
 }
-"""By name, in the order in which a request's path is compared."""
+"""Calculations by name, in the order in which a request's path is compared."""
 
 EXPORTS: dict[str, Export] = {module.EXPORT.name: module.EXPORT for module in (dxf,)}
 """Files of a design, by name."""
@@ -76,4 +76,4 @@ NEGLECTED = {
     "shear": "the shear of the shaft",
     "tilt": "the tilt of satellites in their bearings, and of pins and holes by errors",
 }
-"""What models leave out, by code."""
+"""Effects that models leave out, by code."""

@@ -1,5 +1,5 @@
-"""Rules between the fields of a request: forms of which one is given, what belongs to a kind, and
-what two fields have to do with each other; their refusals, and what the JSON schema says of them.
+"""Rules between the fields of a request: alternative forms, fields of a kind, and relations of two
+fields; their refusals, and their JSON schema.
 """
 
 from collections.abc import Iterable, Mapping
@@ -11,9 +11,7 @@ from pydantic_core import PydanticCustomError
 
 
 def field_error(name: str, code: str, **params: Any) -> PydanticCustomError:
-    """Refusal by a model's validator that belongs to one field, or ``model/field``; see
-    `app.problems.TEXTS`.
-    """
+    """Refusal of a field, or ``model/field``, by a model's validator; see `app.problems.TEXTS`."""
     return PydanticCustomError("field_error", code, {"name": name, "code": code, "params": params})
 
 
@@ -21,7 +19,7 @@ Forms = tuple[tuple[str, ...], ...]
 
 
 class Alternative(NamedTuple):
-    """Forms of which one has to be given, their fields, and which of these may stand together."""
+    """Forms of which one has to be given, their fields, and fields that may occur together."""
 
     forms: Forms
     fields: frozenset[str]
@@ -35,7 +33,7 @@ def _name(model: Any, field: str) -> str:
 
 @cache
 def alternatives(model: Any) -> tuple[Alternative, ...]:
-    """Alternatives of a request and of all that it is made of."""
+    """Alternatives of a request and of all its nested models."""
     fields = {_name(model, field): field for field in model.model_fields}
     every = chain.from_iterable(vars(each).get("ALTERNATIVES", ()) for each in model.__mro__)
     return tuple(
@@ -49,7 +47,7 @@ def alternatives(model: Any) -> tuple[Alternative, ...]:
 
 
 def wrong_form(model: Any, forms: Forms, stated: set[str]) -> PydanticCustomError:
-    """Why the fields that a request names are none of some forms."""
+    """Reason why the given fields of a request fit none of some forms."""
     named = {_name(model, field) for field in stated}
     given = [form for form in forms if not named.isdisjoint(form)]
     if not given:
@@ -63,8 +61,8 @@ def wrong_form(model: Any, forms: Forms, stated: set[str]) -> PydanticCustomErro
 
 
 class Rule(NamedTuple):
-    """A rule between two fields, by their paths (``load/input_speed_rpm``): it reads as a sentence,
-    of the field that is refused where it does not hold, and the one that the refusal names.
+    """Rule between two fields, by their paths (``load/input_speed_rpm``), read as a sentence: the
+    field that is refused if the rule fails, and the other field that the refusal names.
     """
 
     field: str
@@ -73,40 +71,39 @@ class Rule(NamedTuple):
 
 
 BROKEN = {"only_one": (True, True), "needed_beside": (False, True), "needed": (False, False)}
-"""Whether the field of a rule and the other are given where it does not hold: both; the other
-alone; none of both."""
+"""Presence of the rule's field and of the other one in a violation: both; the other alone;
+neither."""
 
 
 @cache
 def between(model: Any) -> tuple[Rule, ...]:
-    """Rules between the fields of a request and of all that it is made of."""
+    """Rules between the fields of a request and of all its nested models."""
     every = (vars(each).get("BETWEEN", ()) for each in reversed(model.__mro__))
     return tuple(chain.from_iterable(every))
 
 
 def _only(form: tuple[str, ...], names: Iterable[str]) -> dict[str, Any]:
-    """Schema of a form: its fields, and none of the others.
-
-    As requirements: generators of clients take no properties that are `false`.
+    """Schema of a form: its fields and no others, by requirements, as generators of clients do not
+    accept properties that are `false`.
     """
     others = [{"required": [name]} for name in names if name not in form]
     return {"required": [*form]} | ({"not": {"anyOf": others}} if others else {})
 
 
 Kinds = Mapping[Any, tuple[tuple[str, ...], tuple[str, ...]]]
-"""Of each kind, the fields that it needs, and those that it may have besides."""
+"""Needed and optional fields of each kind."""
 
 
 @cache
 def of_other_kinds(model: Any, kind: Any) -> tuple[str, ...]:
-    """Fields that kinds of a request have, but not this one."""
+    """Fields of other kinds of a request."""
     own = {*chain(*model.KINDS[kind])}
     every = dict.fromkeys(chain.from_iterable(chain(*names) for names in model.KINDS.values()))
     return tuple(name for name in every if name not in own)
 
 
 def _kind_schema(model: Any, kind: Any) -> dict[str, Any]:
-    """What a kind needs, and that it takes nothing of the others."""
+    """Schema of a kind: its needed fields, and none of other kinds."""
     named: dict[str, Any] = {"required": [model.KIND]}
     if kind is None:
         named = {"not": named}
@@ -121,7 +118,7 @@ def _kind_schema(model: Any, kind: Any) -> dict[str, Any]:
 
 
 def _rule_schema(rule: Rule) -> dict[str, Any]:
-    """What a rule between two fields of the same request says."""
+    """Schema of a rule between two fields of a request."""
     field, other = ({"required": [name]} for name in (rule.field, rule.other))
     if rule.rule == "only_one":
         return {"not": {"required": [rule.field, rule.other]}}
@@ -129,9 +126,7 @@ def _rule_schema(rule: Rule) -> dict[str, Any]:
 
 
 def schema_rules(model: Any) -> list[dict[str, Any]]:
-    """What the JSON schema of a request says of its forms, its kinds and the rules between its own
-    fields, and what it says besides.
-    """
+    """JSON schema of a request's forms, kinds, rules between its own fields, and other rules."""
     rules: list[dict[str, Any]] = []
     for forms, _, _ in alternatives(model):
         names = dict.fromkeys(name for form in forms for name in form)

@@ -19,14 +19,15 @@ from app import VERSION
 from app.settings import OVER_UNIX, PREFIX, Settings
 
 OPTIONS = ("host", "port", "workers", "unix_socket", "root_path")
-"""Settings that may be given on the command line as well."""
+"""Settings that may be given on the command line too."""
 
 OTHER_FILES = 200
-"""Descriptors of a worker besides its connections: modules, logs, processes, pages being sent."""
+"""Number of descriptors of a worker besides connections: modules, logs, processes, pages being
+sent."""
 
 WORKER_ANSWERS_S = 30
-"""How long a worker may take to answer its parent, which else replaces it: on a busy machine also
-the time of its start, which would otherwise begin again and again."""
+"""Time in which a worker must answer its parent, s, or be replaced; on a busy machine it includes
+the start, which would otherwise begin again and again."""
 
 LOG = logging.getLogger("khv.serve")
 
@@ -43,12 +44,9 @@ def log_config(level: str) -> dict[str, Any]:
 
 
 def connections_within(most: int) -> int:
-    """How many connections a worker's limit of descriptors allows, once it is as high as may be.
+    """Number of connections within a worker's limit of descriptors, raised as far as possible.
 
-    Raises
-    ------
-    ValueError
-        If there is none.
+    Raises ValueError if the limit leaves none.
     """
     soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
     needed = most + OTHER_FILES
@@ -64,27 +62,20 @@ def connections_within(most: int) -> int:
 
 
 def open_standard_files() -> None:
-    """Have descriptors 0 to 2 open: else sockets would take their numbers, and the log go there."""
+    """Open descriptors 0 to 2, so that no socket takes their numbers and receives the log."""
     while (descriptor := os.open(os.devnull, os.O_RDWR)) < 3:
         os.set_inheritable(descriptor, True)
     os.close(descriptor)
 
 
 def refuse_taken(path: str) -> None:
-    """Refuse to listen at what is no socket, and at one that somebody listens at; one that was left
-    behind is removed.
-
-    Raises
-    ------
-    ValueError
-        If there is such.
-    """
+    """Raise ValueError if a path is no socket or a socket in use; remove an abandoned socket."""
     if not os.path.lexists(path):
         return
     if not stat.S_ISSOCK(os.lstat(path).st_mode):
         raise ValueError(f"{PREFIX}UNIX_SOCKET: {path} is there, and no socket")
     with socket.socket(socket.AF_UNIX) as asking:
-        asking.setblocking(False)  # a queue that is full is somebody's
+        asking.setblocking(False)  # a full queue means that someone listens
         try:
             asking.connect(path)
         except ConnectionRefusedError:
@@ -96,13 +87,7 @@ def refuse_taken(path: str) -> None:
 
 
 def refuse_address(name: str, family: socket.AddressFamily, address: Any) -> None:
-    """Refuse an address that cannot be listened at, before anything is imported or compiled.
-
-    Raises
-    ------
-    ValueError
-        If it cannot; its text names the setting.
-    """
+    """Raise ValueError, naming the setting, if nothing can listen at an address."""
     try:
         with socket.socket(family) as trying:
             trying.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

@@ -1,4 +1,4 @@
-"""What an operator may set, by environment variables that start with ``KHV_``."""
+"""Settings of the operator, by environment variables that start with ``KHV_``."""
 
 import os
 from difflib import get_close_matches
@@ -13,11 +13,11 @@ from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 PREFIX = "KHV_"
 
 OVER_UNIX = "unix"
-"""Address of who asks over a Unix socket."""
+"""Address of clients of a Unix socket."""
 
 
 def _parts(value: Any) -> Any:
-    """What stands between commas."""
+    """Texts between commas."""
     if not isinstance(value, str):
         return value
     return tuple(part.strip() for part in value.split(",") if part.strip())
@@ -38,9 +38,9 @@ Origin = Annotated[str, Field(pattern=r"^(\*|https?://[^/\s]+)$")]
 
 
 class Settings(BaseSettings):
-    """Addresses and limits of the service; every one has a default that suits a small machine.
+    """Addresses and limits of the service, with defaults for a small machine.
 
-    An empty variable is one that is not set. What a setting means says the text below it.
+    An empty variable counts as not set. The text below a setting states its meaning.
     """
 
     model_config = SettingsConfigDict(
@@ -102,13 +102,7 @@ class Settings(BaseSettings):
 
     @classmethod
     def from_environment(cls) -> Self:
-        """Settings with what the environment overrides.
-
-        Raises
-        ------
-        ValueError
-            If a value cannot be, or there is no such setting: in one line that names it.
-        """
+        """Settings by the environment; ValueError names a wrong value or an unknown setting."""
         names = {PREFIX + name.upper() for name in cls.model_fields}
         for name in os.environ:
             if name.upper().startswith(PREFIX) and name not in names:
@@ -127,5 +121,5 @@ class Settings(BaseSettings):
 
 @cache
 def current() -> Settings:
-    """The settings of this process, read once."""
+    """Settings of this process, read once."""
     return Settings.from_environment()

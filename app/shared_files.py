@@ -1,7 +1,7 @@
-"""Room for the metrics that workers share, taken before they are kept: see `app.observability`.
+"""Space for the metrics that workers share, allocated in advance; see `app.observability`.
 
-prometheus-client writes into memory that is a file. Where the file system is full, that kills the
-worker; so each file gets its whole size here, or the worker keeps its metrics to itself.
+prometheus-client writes into memory-mapped files. A full file system would kill the worker;
+therefore each file gets its whole size here, or the worker keeps its metrics to itself.
 """
 
 import os
@@ -10,11 +10,12 @@ from pathlib import Path
 DIRECTORY = "PROMETHEUS_MULTIPROC_DIR"
 
 SIZES = {"counter": 1 << 18, "histogram": 1 << 18, "gauge_livesum": 1 << 12, "gauge_max": 1 << 12}
-"""More bytes than a worker's metrics take, by the names that prometheus-client gives to files."""
+"""File sizes above those of a worker's metrics, by the names that prometheus-client gives to
+files."""
 
 
 def reserve() -> None:
-    """Take the room for this process, or give up to share."""
+    """Allocate the files of this process, or stop sharing metrics."""
     if DIRECTORY not in os.environ:
         return
     files = {Path(os.environ[DIRECTORY], f"{kind}_{os.getpid()}.db"): SIZES[kind] for kind in SIZES}

@@ -1,7 +1,7 @@
-"""The one look of all figures: light and dark, colour-blind safe, units on the axes.
+"""Common look of all figures: light and dark, colour-blind safe, with units on the axes.
 
 Colours are those of Okabe and Ito, darkened for white and lightened for dark paper so that lines
-keep a contrast of 3:1; dash and hatch patterns repeat what the colour says.
+keep a contrast of 3:1; dash and hatch patterns repeat the information of colours.
 """
 
 from collections.abc import Iterator, Sequence
@@ -167,11 +167,11 @@ _TEXTS = (
 
 
 class Amount(NamedTuple):
-    """A number in a text, or Plotly's placeholder of one (``%{y:.4g}``), with its unit."""
+    """Number in a text, or Plotly's placeholder of one (``%{y:.4g}``), with its unit."""
 
-    value: float | str  # the number or the placeholder
+    value: float | str  # number or placeholder
     unit: str = ""  # empty for none
-    digits: int = 6  # significant ones to show of a number
+    digits: int = 6  # significant digits shown
 
     def __format__(self, _: str) -> str:
         number = self.value if isinstance(self.value, str) else f"{self.value:.{self.digits}g}"
@@ -179,12 +179,8 @@ class Amount(NamedTuple):
 
 
 class Text(str):
-    """A text of a figure in English, with what others word it by.
-
-    Attributes
-    ----------
-    words : list
-        Its id and parameters as they are sent: an `Amount` as an object, a text as its words.
+    """Text of a figure in English, with `words`: id and parameters as sent for translation, where
+    an `Amount` is an object and a text is its words.
     """
 
     words: list[Any]
@@ -192,14 +188,8 @@ class Text(str):
 
 @lru_cache(maxsize=4096, typed=True)
 def text(id: str, **params: Any) -> Text:
-    """The text of an id of `TEXTS`, or of a method or its setting.
-
-    Parameters
-    ----------
-    id : str
-        Which; ``methods.`` or ``settings.`` before a method's code or its setting's.
-    **params
-        What it names: numbers, `Amount`, other texts.
+    """Text by an id of `TEXTS`, or ``methods.`` or ``settings.`` before a code; `params` are
+    numbers, `Amount` or other texts.
     """
     made = Text(_TEXTS[id].format(**params))
     made.words = [id, {name: _sent(value) for name, value in params.items()}]
@@ -223,14 +213,14 @@ def hover(words: str) -> str:
 
 
 def with_words(figure: Figure) -> Figure:
-    """A figure, and in its ``layout.meta.words`` where which texts stand: path, id, parameters."""
+    """Figure with path, id and parameters of its texts in ``layout.meta.words``."""
     words = [[path, *each.words] for path, each in _texts(figure) if type(each) is Text]
     figure["layout"]["meta"] = {"words": words}
     return figure
 
 
 def _texts(figure: Figure) -> Iterator[tuple[list[str | int], Any]]:
-    """What stands where a figure may have a text, with its path."""
+    """Values at all places for texts in a figure, with their paths."""
     for index, trace in enumerate(figure["data"]):
         for key in ("name", "hovertemplate"):
             yield ["data", index, key], trace.get(key)
@@ -254,24 +244,24 @@ SERIES: dict[Theme, tuple[str, ...]] = {
 """Colours of satellites, rollers and methods, in their order."""
 
 DASHES = ("solid", "dash", "dot", "dashdot", "longdash", "longdashdot")
-"""Line patterns that repeat what the colours say."""
+"""Line patterns that repeat the information of colours."""
 
 HATCHES = ("", "/", "x", "-", "\\", ".")
-"""Bar patterns that repeat what the colours say."""
+"""Bar patterns that repeat the information of colours."""
 
 INK: dict[Theme, dict[str, str]] = {
     "light": {"text": "#1c2733", "muted": "#5a6875", "grid": "#e3e8ed", "alert": "#b3261e"},
     "dark": {"text": "#e6edf3", "muted": "#9aa7b4", "grid": "#2b3642", "alert": "#ff8a80"},
 }
-"""Colours of text, of thin lines, of the grid, and of what must not be overlooked."""
+"""Colours of text, thin lines, grid, and alerts."""
 
 
 IDEAL = "ideal"
-"""What traces of ideal forces beside the real ones have as `meta`."""
+"""Value of `meta` of traces with ideal forces beside real ones."""
 
 TICKS = ".8~g"
-"""Numbers at ticks: plain, or with an e where they are very large or small. (Plotly's own powers
-of ten are raised by inline styles, which the page does not allow.)"""
+"""Numbers at ticks: plain, or with an e if very large or small. Plotly's own powers of ten are
+raised by inline styles, which the page does not allow."""
 
 
 def series_style(index: int, theme: Theme) -> tuple[str, str, str]:
@@ -281,7 +271,7 @@ def series_style(index: int, theme: Theme) -> tuple[str, str, str]:
 
 
 def axis(theme: Theme, title: str, unit: str = "", **more: Any) -> Figure:
-    """An axis with its title and unit in the look of the theme."""
+    """Axis with its title and unit in the look of the theme."""
     ink = INK[theme]
     words = text("axis", title=title, unit=unit) if unit else title
     return {
@@ -298,7 +288,7 @@ def axis(theme: Theme, title: str, unit: str = "", **more: Any) -> Figure:
 
 
 def layout(theme: Theme, **more: Any) -> Figure:
-    """The layout every figure starts from."""
+    """Layout from which every figure starts."""
     return {
         "font": {"color": INK[theme]["text"], "family": "system-ui, sans-serif", "size": 12},
         "paper_bgcolor": "rgba(0,0,0,0)",
@@ -311,7 +301,7 @@ def layout(theme: Theme, **more: Any) -> Figure:
 
 
 def note(theme: Theme, words: str, **place: Any) -> Figure:
-    """An annotation without arrow unless `place` says otherwise."""
+    """Annotation without an arrow unless `place` sets one."""
     return {
         "text": words,
         "showarrow": False,
@@ -321,7 +311,7 @@ def note(theme: Theme, words: str, **place: Any) -> Figure:
 
 
 def vertical_line(theme: Theme, x: float, *, ink: str = "grid", **more: Any) -> Figure:
-    """A thin vertical line over the whole height of the plot."""
+    """Thin vertical line over the whole height of the plot."""
     return {
         "type": "line",
         "xref": "x",
@@ -347,7 +337,7 @@ def curve(
     colour: int | None = None,
     **more: Any,
 ) -> Figure:
-    """A line in the style of its index (or another's colour), rounded to what a screen shows."""
+    """Line in the style of its index (or in another colour), rounded to screen resolution."""
     _, dash, _ = series_style(index, theme)
     ink, _, _ = series_style(index if colour is None else colour, theme)
     return {
@@ -356,7 +346,7 @@ def curve(
         "name": name,
         "x": drawn(x),
         "y": drawn(y),
-        # unsimplified: Plotly would leave out points until the curve shows corners
+        # Plotly's simplification would leave out points until the curve shows corners.
         "line": {"color": ink, "dash": dash, "width": 2, "simplify": False},
         "hovertemplate": hover(hovered),
         **more,
@@ -364,7 +354,7 @@ def curve(
 
 
 def marker(name: str, x: float, y: float, theme: Theme, hovered: str, **more: Any) -> Figure:
-    """The user's own design, or a peak, on a curve."""
+    """Mark of the user's own design, or of a peak, on a curve."""
     return {
         "type": "scatter",
         "mode": "markers",
@@ -384,7 +374,7 @@ def marker(name: str, x: float, y: float, theme: Theme, hovered: str, **more: An
 
 
 def drawn(values: Numbers) -> NDArray[np.floating[Any]]:
-    """Values in single precision where they fit: more than a screen shows, half the bytes."""
+    """Values in single precision if they fit: half the bytes, and more than a screen shows."""
     if isinstance(values, np.ndarray) and values.dtype == np.float32:
         return values
     exact = np.asarray(values, dtype=np.float64)

@@ -1,6 +1,6 @@
-"""The one conversion between the names and units of the API and those of the core, which are SI.
+"""Conversion between names and units of the API and those of the core, which are SI.
 
-A physical quantity's name in the API ends in its unit; the name without it is the core's.
+A physical quantity's name in the API ends in its unit; the core's name has no unit.
 """
 
 import math
@@ -43,16 +43,16 @@ UNITS: dict[str, tuple[str, float]] = {
     "h": ("h", 3600.0),
     "us": ("µs", 1e-6),
 }
-"""Suffix of a name: unit as shown, and its size in SI units; the longer of two that end alike
-first."""
+"""Suffix of a name with the unit as shown and its size in SI units; the longer of two suffixes with
+equal ends comes first."""
 
 
 AT_C = ("deflection_C", "error_C", "reaction_C", "slope_C")
-"""Ends of names that speak of a place C, not of degrees Celsius."""
+"""Ends of names that mean a place C, not degrees Celsius."""
 
 
 PLAIN = ("", 1.0)
-"""The unit of what has none."""
+"""Unit of numbers without a unit."""
 
 
 @cache
@@ -70,7 +70,7 @@ def core_name(field: str) -> str:
 
 
 def shown_unit(field: str) -> str:
-    """Unit as shown to people; empty for a plain name."""
+    """Unit as shown to users; empty for a plain name."""
     return UNITS.get(suffix(field), PLAIN)[0]
 
 
@@ -79,17 +79,14 @@ def _as_it_is(value: Any) -> Any:
 
 
 def to_si(field: str, value: Any) -> Any:
-    """Value of an API field in SI units: a list of quantities as a tuple, None and what has no unit
-    as it is.
-    """
+    """Value of an API field in SI units, a list as a tuple; None and plain values are unchanged."""
     return value if value is None else to_si_converter(field)(value)
 
 
 @cache
 def to_si_converter(field: str) -> Convert:
-    """What takes values of an API field to SI units: those of a plain name as they are.
-
-    Dividing by the inverse keeps decimal inputs at the nearest double: 8 mm is 0.008 m.
+    """Function that converts values of an API field to SI units. Dividing by the inverse keeps
+    decimal inputs at the nearest double: 8 mm is 0.008 m.
     """
     unit = suffix(field)
     if not unit:
@@ -106,19 +103,17 @@ def to_si_converter(field: str) -> Convert:
 
 
 def from_si(field: str, value: Any) -> Any:
-    """Value in SI units as an API field carries it; lists and arrays element by element, None as it
-    is.
-    """
+    """Value in SI units as an API field has it, lists and arrays by element; None is unchanged."""
     return value if value is None else from_si_converter(field)(value)
 
 
 TRIFLE = 2.0**-51
-"""Relative change by which a number is made a short one: 60, not 59.99999999999999."""
+"""Relative change by which a number is shortened: 60, not 59.99999999999999."""
 
 
 @cache
 def from_si_converter(field: str) -> Convert:
-    """What takes values in SI units to the unit of an API field, as they are where it is theirs."""
+    """Function that converts values in SI units to the unit of an API field."""
     size = UNITS.get(suffix(field), PLAIN)[1]
     if size == 1:
         return _as_it_is
@@ -137,16 +132,16 @@ def from_si_converter(field: str) -> Convert:
         if not -1e13 < billionths < 1e13:
             short = round(exact, 9)
         elif 0.01 < billionths % 1 < 0.99:
-            return exact  # far from a short one
+            return exact  # no short number is near
         else:
-            short = round(billionths) / 1e9  # the same in a third of the time
+            short = round(billionths) / 1e9  # a third of the time of `round(exact, 9)`
         return short if abs(exact - short) < TRIFLE * abs(exact) else exact
 
     return convert
 
 
 def rounded(values: np.ndarray, digits: int) -> np.ndarray:
-    """Numbers rounded to the place of the last of so many digits of the largest of them."""
+    """Numbers rounded to the last of some digits of the largest number."""
     largest = float(np.abs(values).max())
     if not 0 < largest < math.inf:
         return values
@@ -154,7 +149,7 @@ def rounded(values: np.ndarray, digits: int) -> np.ndarray:
 
 
 QUANTITIES = {"angle": "deg", "position": "mm", "z": "mm", "force": "N", "length": "mm"}
-"""Units of quantities that only refusals name: last word of the core's name to its suffix."""
+"""Units of quantities that only refusals name: last word of the core's name, and suffix."""
 
 
 def api_value(name: str, value: float) -> tuple[str, float]:
@@ -168,7 +163,7 @@ _API_NAMES: dict[str, str] = {}
 
 
 def register(model: type[BaseModel]) -> None:
-    """Know the names of a model's fields by the core's."""
+    """Note the API names of a model's fields by their core names."""
     for name in model.model_fields:
         _API_NAMES.setdefault(core_name(name), name)
 
@@ -178,7 +173,7 @@ NAMING = ("field", "other")
 
 
 def api_params(params: dict[str, Any]) -> dict[str, Any]:
-    """Parameters of a core's refusal or notice with the API's names of fields, in its units."""
+    """Parameters of a core's refusal or notice with API names of fields, in API units."""
     return dict(
         (name, _API_NAMES.get(value, value)) if name in NAMING else api_value(name, value)
         for name, value in params.items()
@@ -193,9 +188,9 @@ IN_MILLIMETRES = {
     "no_mechanism": "Holes of a radius of {given_length_mm:.6g} mm do not hold their pins, "
     "which could pass from one into the next: it must be less than {limit_length_mm:.6g} mm",
 }
-"""What the core says with lengths, in the API's unit."""
+"""Codes of the core with lengths, in the API's unit."""
 
 
 def sentence(code: str, params: dict[str, Any]) -> str:
-    """What a code of the core says, with the API's names."""
+    """Text of a code of the core, with API names."""
     return (IN_MILLIMETRES.get(code) or CODES[code].text).format(**params)

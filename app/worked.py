@@ -1,4 +1,4 @@
-"""Worked steps of an answer: the steps of core under the API's names, in its units."""
+"""Worked steps of an answer: steps of the core with API names and units."""
 
 import math
 from collections.abc import Iterable
@@ -71,14 +71,14 @@ QUANTITIES: dict[str, str] = {
     "static_rating_safety static_safety_factor strength_fraction stress_concentration "
     "stress_ratio surface teeth_difference theoretical_factor torque_share turns unit_shear",
 }
-"""Quantities of steps as core names them, by the suffix of their unit."""
+"""Quantities of steps by core names, with the suffix of their unit."""
 
 _SUFFIX = {name: unit for unit, names in QUANTITIES.items() for name in names.split()}
 
 
 @cache
 def api_name(quantity: str) -> str:
-    """Name of a quantity of core in the API: with its unit behind it.
+    """API name of a core quantity, with its unit at the end.
 
     Examples
     --------
@@ -121,18 +121,7 @@ def step_values(section: str, step: Step) -> Values:
 
 
 def worked(**sections: list[Step]) -> list[Values]:
-    """Steps of an answer by its sections, one after the other.
-
-    Parameters
-    ----------
-    **sections
-        Steps, by the name of what they work out.
-
-    Returns
-    -------
-    list of dict
-        What does not end (a life without a load) has no step.
-    """
+    """Steps of an answer, section after section, without those whose result is infinite."""
     return [
         step_values(section, step)
         for section, steps in sections.items()
@@ -142,20 +131,8 @@ def worked(**sections: list[Step]) -> list[Values]:
 
 
 def stated(section: str, values: Values, method: str) -> list[Values]:
-    """Steps of numbers that follow from each other by no formula.
-
-    Parameters
-    ----------
-    section : str
-        What of the answer they belong to.
-    values : dict
-        Fields of the answer; those that are no numbers have no step.
-    method : str
-        How they were got, a key of `core.worked.words.NOTES`.
-
-    Returns
-    -------
-    list of dict
+    """Steps of numbers in a section that no formula derives; `method` is a key of
+    `core.worked.words.NOTES`. Values that are not numbers have no step.
     """
     return [
         {

@@ -1,4 +1,4 @@
-"""Ring mesh and output mechanism in series: what a request says of the ring, and the answer."""
+"""Ring mesh and output mechanism in series: fields of the ring in a request, and the answer."""
 
 from collections.abc import Iterator, Sequence
 from functools import cached_property
@@ -26,14 +26,14 @@ from core.ring.series import MeshesInSeries, SeriesPosition, in_their_ring
 from core.ring.sharing import CycloidMesh, RingDeviations
 
 MAX_FORCES_IN_SERIES = 25_000
-"""Most forces of positions, and of curves, of both meshes: angles times pairs."""
+"""Largest number of forces of both meshes for positions and for curves: angles times pairs."""
 
 GIVES_AS_LONG, FLOATS_AS_LONG = 2, 16
-"""How many times as long a turn takes in series where bearings give or a tie ring joins the pins,
-twice as long where both do; and pieces of a study whose discs float in bearings with clearance."""
+"""Factors on the time of a turn in series: if bearings are elastic or a tie ring joins the pins
+(twice as much for both), and for pieces of a study whose discs float in bearings with clearance."""
 
 MAX_TURN_IN_SERIES = 250_000
-"""Most forces of both meshes over all turns: their angles times pairs."""
+"""Largest number of forces of both meshes over all turns: angles times pairs."""
 
 
 def _no_involute(given: Any) -> Any:
@@ -44,17 +44,17 @@ def _no_involute(given: Any) -> Any:
 
 
 class SeriesDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="deviations"):
-    """What a piece deviates from its nominal sizes: of each pin, of each hole satellite by
-    satellite, of each crank or disc, and of each pin of a ring that lies in series. Positive:
-    outward, in the driving sense, larger, ahead.
+    """Deviations of a piece from its nominal sizes: of each pin, of each hole satellite by
+    satellite, of each crank or disc, and of each pin of a ring in series. Positive means outward,
+    in the driving sense, larger, ahead.
     """
 
     def section(self, _: Any = None) -> Deviations:
-        """Those of the output mechanism in SI units."""
+        """Deviations of the output mechanism in SI units."""
         return DeviationsFields.section(self.model_copy(update=dict.fromkeys(OF_RING)))
 
     def of_ring(self) -> RingDeviations:
-        """Those of the ring in SI units."""
+        """Deviations of the ring in SI units."""
         own = self.to_core()
         named = {
             name: f"ring_{name}" if "pin" in name else name for name in RingDeviations.__slots__
@@ -67,7 +67,7 @@ class SeriesDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="d
 
 
 class SeriesCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):
-    """How the satellites share the torque."""
+    """Sharing of the torque between the satellites."""
 
     KINDS: ClassVar[Kinds] = {**SatelliteCouplingFields.KINDS, "ring": ((), ())}
 
@@ -80,7 +80,7 @@ class SeriesCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):
 
 
 class DesignCouplingFields(SeriesCouplingFields, group="satellite_coupling"):
-    """How the satellites of a design share the torque."""
+    """Sharing of the torque between the satellites of a design."""
 
     def section(self, _: Any = None) -> SatelliteSupport:
         """The coupling in SI units."""
@@ -88,7 +88,7 @@ class DesignCouplingFields(SeriesCouplingFields, group="satellite_coupling"):
 
 
 def of_the_ring(section: str, names: Sequence[str]) -> tuple[dict[str, Any], ...]:
-    """What a schema says of a ring in series, and of fields of a section that are the ring's."""
+    """JSON schema of a ring in series, and of section fields that belong to the ring."""
     return (
         {
             "if": {
@@ -115,9 +115,7 @@ def of_the_ring(section: str, names: Sequence[str]) -> tuple[dict[str, Any], ...
 
 
 class RingInSeriesFields(RealDesignFields):
-    """Mechanism, load and contact, by themselves or in series with the mesh of the discs with their
-    ring.
-    """
+    """Mechanism, load and contact, alone or in series with the mesh of discs and ring."""
 
     OF_A_RING: ClassVar[tuple[str, ...]] = ()
     """Paths of fields that only a ring in series has."""
@@ -129,7 +127,7 @@ class RingInSeriesFields(RealDesignFields):
 
     @property
     def in_series(self) -> bool:
-        """Whether the mesh with the ring is in series."""
+        """True if the mesh with the ring is in series."""
         return self.satellite_coupling.kind == "ring"
 
     @model_validator(mode="after")
@@ -151,7 +149,7 @@ class RingInSeriesFields(RealDesignFields):
 
     @property
     def times_as_long(self) -> int:
-        """How many times as long as of rigid satellites a position takes."""
+        """Time to solve a position over the time with rigid satellites."""
         if not self.in_series:
             return super().times_as_long
         return int(GIVES_AS_LONG ** (self.tied + self.support.gives))
@@ -168,18 +166,7 @@ class RingInSeriesFields(RealDesignFields):
             self.refuse_many_in_series(settings.max_pairs + self.mechanism.pairs)
 
     def refuse_many_in_series(self, limit: int) -> None:
-        """Refuse more pairs of both meshes, by the ring's.
-
-        Parameters
-        ----------
-        limit : int
-            Most pairs.
-
-        Raises
-        ------
-        Problem
-            If there are more.
-        """
+        """Refuse more than `limit` pairs of both meshes, in terms of the ring's teeth."""
         own = self.mechanism
         if self.pairs_in_series > limit:
             most = max(limit // own.satellites - own.pins, 0)
@@ -187,25 +174,10 @@ class RingInSeriesFields(RealDesignFields):
             raise refusal("/mechanism/ring_teeth", "too_many_pairs", **more)
 
     def in_ring(self, output: RealMechanism) -> MeshesInSeries:
-        """The output mechanism in series with the mesh of its discs with the ring, in SI units.
-
-        Parameters
-        ----------
-        output : RealMechanism
-            As `made`.
-
-        Returns
-        -------
-        MeshesInSeries
-
-        Raises
-        ------
-        InvalidInput
-            If the ring is not possible.
-        """
+        """Output mechanism in series with the mesh of its discs with the ring, in SI units."""
         try:
             ring = self._ring
-            assert ring.drive  # refuses what has no size
+            assert ring.drive  # refuses a ring without sizes
         except InvalidInput as error:
             for section in ("gear.contact_law", "gear"):
                 if (name := f"{section}.{error.parameter}") in self.core_paths:
@@ -214,17 +186,7 @@ class RingInSeriesFields(RealDesignFields):
         return MeshesInSeries(ring, output)
 
     def rooms_in_ring(self, output: RealMechanism) -> Rooms:
-        """Room of the pins in the holes of discs that turn in their ring.
-
-        Parameters
-        ----------
-        output : RealMechanism
-            As `made`.
-
-        Returns
-        -------
-        Rooms
-        """
+        """Positions of the pins in the holes of discs that turn in their ring."""
         return in_their_ring(rooms=output.rooms, ring=self.in_ring(output).ring)
 
     @property
@@ -249,7 +211,7 @@ class RingInSeriesFields(RealDesignFields):
 
 
 class SeriesFields(RingInSeriesFields):
-    """The same of parts as they are made."""
+    """Mechanism, load and contact of parts as they are made, alone or in series with the ring."""
 
     deviations: SeriesDeviationsFields = Field(default_factory=SeriesDeviationsFields)
 
@@ -269,7 +231,7 @@ class SeriesFields(RingInSeriesFields):
 
 
 class RingPartOut(ResponseModel):
-    """What the ring does at a crank angle, where both meshes are in series."""
+    """Ring mesh at a crank angle, if both meshes are in series."""
 
     BESIDE = ("crank_load_N",)
 
@@ -305,7 +267,7 @@ class RingPartOut(ResponseModel):
 
 
 class RingTurnOut(ResponseModel):
-    """What the ring does over all turns, where both meshes are in series."""
+    """Ring mesh over all turns, if both meshes are in series."""
 
     peak_force_N: float = result("Largest force of a pin of the ring.", symbol="F_max")
     peak_crank_angle_deg: float = result(
@@ -320,7 +282,7 @@ class RingTurnOut(ResponseModel):
 
 
 def ring_values(position: SeriesPosition) -> Values:
-    """What the ring does at a position."""
+    """Values of the ring mesh at a position."""
     return RingPartOut.values(
         position.ring, crank_load_N=from_si("crank_load_N", position.crank_force)
     )

@@ -49,7 +49,7 @@ Safety = Annotated[float, Field(ge=0.1, le=100)]
 
 
 class RequirementsFields(RequestModel, group="requirements"):
-    """What a design has to keep; a demand that is not made is not checked."""
+    """Limits that a design has to keep; a limit that is not given is not checked."""
 
     pitting_safety: Safety = quantity("Safety against pitting", "S_H", default=1.2, step=0.1)
     """Limit of the contact pressure over the pressure; a ratio of pressures."""
@@ -114,12 +114,12 @@ class RequirementsFields(RequestModel, group="requirements"):
     is asked, 16 is a guide."""
 
     def section(self, _: Any) -> Requirements:
-        """The same in SI units."""
+        """Requirements in SI units."""
         return Requirements(**self.to_core())
 
 
 class JudgedFields(RequestModel):
-    """What a request may ask beside the result itself."""
+    """Options of a request besides the result itself."""
 
     requirements: RequirementsFields = Field(default_factory=RequirementsFields)
     include: list[Literal["checks", "fixes", "worked"]] = Field(
@@ -130,7 +130,7 @@ class JudgedFields(RequestModel):
     )
 
     def to_core(self) -> dict[str, Any]:
-        """The given fields as the core's arguments, without what is for the checks only."""
+        """Given fields as the core's arguments, without those for the checks only."""
         own = super().to_core()
         return {name: value for name, value in own.items() if name not in _JUDGING}
 
@@ -139,7 +139,7 @@ _JUDGING = frozenset(JudgedFields.model_fields)
 
 
 class ScopedRequirementsFields(RequirementsFields, group="requirements"):
-    """The same of a reducer, and which of its parts are judged."""
+    """Limits that a reducer has to keep, and the parts that are judged."""
 
     scope: list[PartName] = quantity(
         "Parts that are judged", default=[*PART_NAMES], min_length=1, max_length=len(PART_NAMES)
@@ -147,13 +147,13 @@ class ScopedRequirementsFields(RequirementsFields, group="requirements"):
     """Others are left out: no check of them is made, and the verdict says nothing of them."""
 
     def section(self, _: Any) -> Requirements:
-        """The same in SI units."""
+        """Requirements in SI units."""
         given = self.to_core()
         return Requirements(**given | {"scope": tuple(given["scope"])})
 
 
 class ReasonOut(ResponseModel):
-    """Why a status is what it is."""
+    """Reason for a status."""
 
     code: str = Field(description="By code.", json_schema_extra={"enum": [*CODES]})
     detail: str = Field(description="The same in English.")
@@ -165,7 +165,7 @@ class ReasonOut(ResponseModel):
 
 
 class PlaceOut(ResponseModel):
-    """Where a value is reached."""
+    """Place of a value."""
 
     satellite: Maybe[int] = result("Satellite.")
     bearing: Maybe[int] = result("Bearing of the crankshaft: 1 or 2.")
@@ -177,7 +177,7 @@ class PlaceOut(ResponseModel):
 
 
 class CheckOut(ResponseModel):
-    """One check: what is compared, how it went, and why."""
+    """One check: compared values, status and reason."""
 
     code: str = Field(description="Which check.", json_schema_extra={"enum": [*CHECKS]})
     was: Maybe[str] = Field(description=REPLACED)
@@ -219,7 +219,7 @@ class CheckOut(ResponseModel):
 
 
 class PartOut(ResponseModel):
-    """What a part of the reducer comes to."""
+    """Verdict of a part of the reducer."""
 
     code: str = Field(description="Which part.", json_schema_extra={"enum": [*PARTS]})
     title: str = Field(description="The same in English.")
@@ -240,7 +240,7 @@ class PartOut(ResponseModel):
 
 
 class SideEffectOut(ResponseModel):
-    """What a fix does to another check."""
+    """Effect of a fix on another check."""
 
     code: str = Field(description="Which check.")
     status_from: Status = Field(description="Its status without the fix.")
@@ -314,7 +314,7 @@ SOURCES = LIMIT_SOURCES | CHECK_SOURCES
 
 @cache
 def _kind_values(code: str) -> Values:
-    """What is the same of all checks of a kind."""
+    """Values common to all checks of a kind."""
     kind, was = CHECKS[code], WAS["checks"].get(code)
     return present(
         {
@@ -345,14 +345,12 @@ FOLLOWS = {
         "contact.fit",
     ),
 }
-"""Values of a design that a request need not give, with what they follow from there."""
+"""Values of a design that a request may leave out, with the values that they follow from."""
 
 
 @lru_cache(maxsize=64)
 def _inputs(shape: Shape) -> dict[str, list[str]]:
-    """Of each check, JSON pointers to its inputs that are given, in requests of a shape, or to what
-    these follow from.
-    """
+    """JSON pointers to the given inputs of each check, or to the fields that they follow from."""
     paths, given = core_paths(shape), {*given_paths(shape)}
 
     def there(*names: str) -> Iterator[str]:
@@ -366,9 +364,7 @@ def _inputs(shape: Shape) -> dict[str, list[str]]:
 
 
 def _reason(found: Check | PartVerdict, body: RequestModel) -> Values:
-    """Why a check or a part stands as it does; what is refused to who asks for it, in the same
-    words.
-    """
+    """Reason for the status of a check or part, in the words of the refusal if one exists."""
     values: Values = {"code": found.reason}
     if found.refusal is None:
         params = api_params({**found.params})
@@ -386,11 +382,11 @@ def _reason(found: Check | PartVerdict, body: RequestModel) -> Values:
 
 
 IDEAL_ALONE = ("contact.distribution_factor", "load.force_exponent")
-"""Inputs of ideal forces, which forces that are solved do not read."""
+"""Inputs of ideal forces that solved forces do not use."""
 
 
 def usual_values(body: Any, verdict: Verdict) -> dict[tuple[str, ...], float | str]:
-    """Values of a reducer that were not typed and that checks are judged by, by paths of fields."""
+    """Assumed values by which checks of a reducer are judged, by paths of fields."""
     found: dict[tuple[str, ...], float | str] = {}
     decided = [each for each in verdict.checks if each.status in ("pass", "marginal", "fail")]
     for check, name in ((each, name) for each in decided for name in each.kind.inputs):
@@ -455,11 +451,11 @@ SETS = {
         f"crankshaft.bearings[{index}].dynamic_rating" for index in (0, 1)
     )
 }
-"""What fixes of several fields set."""
+"""Values that fixes of several fields set."""
 
 
 def _typed(body: RequestModel) -> dict[str, tuple[str | int, ...]]:
-    """Paths of what a size may say of another, as far as it is typed."""
+    """Paths of typed fields that determine the size of another one."""
     every = (
         "load.output_torque",
         "contact.hole_radius",
@@ -471,12 +467,12 @@ def _typed(body: RequestModel) -> dict[str, tuple[str | int, ...]]:
 
 
 def _short(value: float) -> float:
-    """Without the rounding of units and sums."""
+    """Number without the rounding of units and sums."""
     return float(f"{value:.12g}")
 
 
 def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Values]:
-    """Where a fix of a size is in a request, and its values with all that it sets there."""
+    """Place of a fix of a size in a request, and all values that the fix sets there."""
     paths = [
         path for each in SETS.get(fix.variable, (fix.variable,)) if (path := body.path_of(each))
     ]
@@ -484,14 +480,14 @@ def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Value
     typed = _typed(body)
     name = str(path[-1])
     before, to, exact = (from_si(name, each) for each in (fix.before, fix.after, fix.exact))
-    if fix.variable == "load.output_torque" and fix.variable not in typed:  # the input's is given
+    if fix.variable == "load.output_torque" and fix.variable not in typed:  # input torque is given
         name = "input_torque_Nm"
         given_path = (*path[:-1], name)
         path, paths, given = given_path, [given_path], _value(body, given_path)
         to, exact = (given * each / before for each in (to, exact))
         before = given
         digit = 10.0 ** (math.floor(math.log10(to)) - 2)
-        to = math.floor(to / digit) * digit  # no more torque than what cures
+        to = math.floor(to / digit) * digit  # at most the torque that cures
     if fix.after != fix.exact:  # a rounded size stays one in the field's unit
         to = _short(to)
     sets = {pointer(each): to for each in paths}
@@ -507,13 +503,13 @@ def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Value
         if math.isclose(float(_value(body, pin)), 2 * before, rel_tol=1e-12):  # without a sleeve
             sets[pointer(pin)] = 2 * to
     for name, value in fix.beside.items():
-        place = body.core_paths[name]  # of the same section
+        place = body.core_paths[name]  # fields of one section
         sets[pointer(place)] = _short(from_si(str(place[-1]), value))
     return path, {"from": before, "to": to, "exact": exact, "sets": sets}
 
 
 def fix_values(fix: Fix, body: RequestModel) -> Values:
-    """Values of a fix, with all that it sets in a request."""
+    """Values of a fix, with all fields that it sets in a request."""
     path: tuple[str | int, ...]
     if isinstance(fix.after, str):
         path = tuple(fix.variable.split("."))
@@ -556,8 +552,8 @@ def judgement(
     checks: bool,
     largest: bool = True,
 ) -> dict[str, Any]:
-    """The fields of `JudgedResponse` but for the fixes, None for what there is not, as the largest
-    torque where that is not asked. Without a load, of any torque, no largest one is known.
+    """Fields of `JudgedResponse` except fixes; None for absent values, such as a largest torque
+    that was not requested or has no load.
     """
     reserve = verdict.torque_reserve if largest else None
     known = reserve is not None and verdict.largest_torque_known
@@ -585,7 +581,7 @@ def judgement(
 
 
 def part_values(found: PartVerdict, body: RequestModel) -> Values:
-    """Values of what a part comes to."""
+    """Values of a part's verdict."""
     paths = [path for name in found.missing if (path := body.path_of(name))]
     values: Values = {
         "code": found.code,
@@ -600,7 +596,7 @@ def part_values(found: PartVerdict, body: RequestModel) -> Values:
 
 
 def codes_to_fix(verdict: Verdict, which: FixesFor) -> list[str]:
-    """Checks that fixes are asked for: the governing one unless it passes, or all that fail."""
+    """Codes of checks to be fixed: the governing one unless it passes, or all that fail."""
     if which == "failed":
         return [each.code for each in verdict.checks if each.status == "fail"]
     governing = (each for each in verdict.checks if each.code == verdict.governing)

@@ -1,4 +1,4 @@
-"""Several inputs of a reducer changed together, where no change of one lets it pass."""
+"""Several inputs of a reducer changed together, if no single change lets it pass."""
 
 from collections import ChainMap
 from functools import partial
@@ -14,10 +14,10 @@ from core.checks.reserve import crank_verdict
 from core.fixes.fix import Fix
 
 MOST = 4
-"""Most changes, one after the other."""
+"""Largest number of successive changes."""
 
 KEPT = {"load.output_torque", "load.input_speed"}
-"""What is asked of a design: not changed."""
+"""Requested properties of a design, which are not changed."""
 
 CHEAP = (
     "contact.fit",
@@ -34,7 +34,7 @@ CHEAP = (
 
 
 class CombinedOut(ResponseModel):
-    """Inputs changed one after the other, each for the check that decides then."""
+    """Inputs changed one after the other, each for the check that governs at that step."""
 
     sets: dict[str, float | str] = Field(description="All that they set, by JSON pointer.")
     steps: list[FixOut] = Field(
@@ -45,28 +45,18 @@ class CombinedOut(ResponseModel):
 
 
 def combined(request: Any, verdict: Verdict, fixes: list[Fix]) -> Values | None:
-    """Values of `CombinedOut`: the check that decides is cured by what leaves the fewest others
-    that fail, until none fails or is marginal, or none is cured; no input is changed twice.
+    """Values of `CombinedOut`, or None if one change is enough or some check still fails at the
+    end.
 
-    Parameters
-    ----------
-    request : CrankPlanetaryRequest
-        The reducer.
-    verdict : Verdict
-        Of it.
-    fixes : list of Fix
-        Of the check that decides, others too.
-
-    Returns
-    -------
-    dict or None
-        None where one change is enough, or checks still fail with the most that are looked for.
+    The governing check is cured by the fix that leaves the fewest other failures, until no check
+    fails or is marginal or none can be cured. No input is changed twice. `fixes` are those of the
+    governing check, or more.
     """
     steps: list[Values] = []
     kept = set(KEPT)
     reached: str = verdict.verdict
     while reached in ("fail", "marginal") and len(steps) < MOST:
-        if steps:  # the design as it is has been judged, and looked through
+        if steps:  # the given design is judged already
             request = reposted(request, steps[-1]["sets"])
             verdict = crank_verdict(request.results)
             codes = codes_to_fix(verdict, "governing")
@@ -90,7 +80,7 @@ def combined(request: Any, verdict: Verdict, fixes: list[Fix]) -> Values | None:
 
 
 def _rank(verdict: Verdict, fix: Fix) -> tuple[int, bool, float]:
-    """How many checks fail with a fix, whether it changes sizes of parts, and how much."""
+    """Number of failures with a fix, True if it changes sizes of parts, extent of the change."""
     failing = {each.code for each in verdict.checks if each.status == "fail"} - {fix.code}
     for each in fix.side_effects:
         (failing.add if each.after.status == "fail" else failing.discard)(each.code)

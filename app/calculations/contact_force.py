@@ -44,11 +44,11 @@ class ContactForceRequest(MechanismFields, LoadFields):
     """A mechanism and its load."""
 
     def cost(self) -> float:
-        """Points of its pairs and curves."""
+        """Number of points of its pairs and curves."""
         return self.points(exponent=self.force_exponent, samples=self.curve_samples)
 
     def without(self, path: tuple[str, ...]) -> Values:
-        """The peak force of one satellite, where their number is assumed."""
+        """Peak force of one satellite, if the number of satellites is assumed."""
         return force_of_one(self, self)
 
     include: list[RequestSection] = Field(  # type: ignore[assignment]
@@ -69,19 +69,16 @@ class ContactForceRequest(MechanismFields, LoadFields):
 def contact_force_figure(
     answer: Values, switching_deg: FloatArray, theme: Theme, ideal: Values | None = None
 ) -> Figure:
-    """Force of every pair over the turn, switching angles as thin lines, the peak marked.
+    """Force of every pair over the turn, thin lines at switching angles, and the peak.
 
     Parameters
     ----------
     answer : dict
-        The forces with their curves, as `/contact-force` answers.
+        Answer of `/contact-force` with curves.
     switching_deg : array
         Crank angles at which a pair starts or stops driving, degrees.
-    theme : {"light", "dark"}
-        Look of the figure.
     ideal : dict, optional
-        Where the forces are the real ones, the ideal ones likewise: the largest of them is a thin
-        line.
+        Ideal forces with curves beside solved ones; their largest force is drawn as a thin line.
     """
     curves, peak_pair = answer["curves"], answer["peak_pair"]
     angles, forces = drawn(curves["crank_angle_deg"]), drawn(curves["force_N"])  # all at once
@@ -142,7 +139,7 @@ def contact_force_figure(
 
 
 def _ideal_largest(curves: Values, theme: Theme) -> Figure:
-    """The largest ideal force of all pairs."""
+    """Curve of the largest ideal force of all pairs."""
     name, angle = text("ideal_largest"), Amount("%{x:.2f}", "°")
     hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "N"), angle=angle)
     largest = np.max(drawn(curves["force_N"]), axis=0)
@@ -152,7 +149,7 @@ def _ideal_largest(curves: Values, theme: Theme) -> Figure:
 
 
 def solve(body: ContactForceRequest) -> Values:
-    """Contact force of the pairs: the exact peak, and curves and approximations where asked."""
+    """Contact force of the pairs: the exact peak, and curves and approximations on request."""
     return ContactForceResponse.values(*timed(body.solve))
 
 

@@ -1,4 +1,4 @@
-"""Laws of contact as a request gives them: of pins in holes, and of the teeth of discs."""
+"""Contact laws of a request: of pins in holes, and of disc teeth on ring pins."""
 
 from typing import Any, ClassVar, Literal, get_args
 
@@ -21,7 +21,7 @@ Kind = Literal["hertz", "conformal", "palmgren", "linear", "power"]
 
 
 class LawFields(RequestModel, group="contact_law"):
-    """How a pair gives under a force, by a law that is named."""
+    """Elastic law of a pair of bodies, by its name."""
 
     KINDS: ClassVar[Kinds] = {
         None: ((), ("reference_depth_mm",)),
@@ -48,7 +48,7 @@ class LawFields(RequestModel, group="contact_law"):
     """The approach under the reference force."""
 
     def named(self) -> ContactLaw | None:
-        """The law in SI units, where one is named."""
+        """Law in SI units; None if no law is named."""
         own = self.to_core()
         if not own:
             return None
@@ -63,15 +63,18 @@ class LawFields(RequestModel, group="contact_law"):
 
 
 class ContactLawFields(LawFields, group="contact_law"):
-    """How a pair gives under a force."""
+    """Elastic law of a pair of pin and hole.
+
+    If it is not given, the conformal law holds with a body below 20 GPa, else Hertz's law.
+    """
 
     def section(self, body: Any) -> ContactLaw:
-        """The law in SI units, where none is named that of the materials in the body's contact."""
+        """Law in SI units; by the materials of the contact if no law is named."""
         return self.named() or law_by_materials(body.contact)
 
 
 def law_by_materials(contact: Any) -> ContactLaw:
-    """The law of contact where none is named; without a contact, which is refused, any."""
+    """Contact law by the materials; any law without a contact, which is refused later."""
     if not contact:
         return HertzLaw()
     pin, hole = material_of(contact.pin_material), material_of(contact.hole_material)
@@ -79,7 +82,10 @@ def law_by_materials(contact: Any) -> ContactLaw:
 
 
 class MeshLawFields(LawFields, PartFields, group="contact_law"):
-    """How a pair gives under a force: the teeth do not wrap around the pins."""
+    """Elastic law of a pair of tooth and ring pin; teeth do not wrap around the pins.
+
+    If it is not given, Hertz's law holds.
+    """
 
     KINDS: ClassVar[Kinds] = {
         kind: rules for kind, rules in LawFields.KINDS.items() if kind != "conformal"
@@ -93,7 +99,7 @@ class MeshLawFields(LawFields, PartFields, group="contact_law"):
     given."""
 
     def section(self) -> ContactLaw | None:
-        """The law in SI units, where one is named."""
+        """Law in SI units; None if no law is named."""
         return self.named()
 
 

@@ -33,14 +33,14 @@ from core.worked.precession import line_steps
 from core.worked.step import Step
 
 POINT_NUMBERS = 6
-"""Numbers that are written of a point."""
+"""Numbers in the answer for each point."""
 
 MAX_POINT_VALUES = 200_000
-"""Most points of all contact lines together."""
+"""Largest number of points of all contact lines together."""
 
 
 class ContactLineRequest(GearFields, group="load"):
-    """A mesh whose contact lines are asked."""
+    """Mesh whose contact lines are requested."""
 
     torque_sign: Maybe[Literal[-1, 1]] = quantity("Sign of the torque")
     """Chooses the loaded flank of rollers whose limits are given in z."""
@@ -53,11 +53,11 @@ class ContactLineRequest(GearFields, group="load"):
     """Number of points of each curve."""
 
     def cost(self) -> float:
-        """Points of the contact lines, and numbers of those that are asked."""
+        """Number of points of the contact lines, and of requested numbers."""
         return self.points(POINT_NUMBERS * self.samples if "points" in self.include else 0)
 
     def solve(self) -> tuple[ContactLines, list[ContactPoints] | None]:
-        """Contact lines, and their points where asked."""
+        """Contact lines, with their points on request."""
         try:
             lines = contact_lines(
                 **self.gear(), rollers=self.all_rollers(), torque_sign=self.torque_sign
@@ -144,7 +144,7 @@ class ContactLineResponse(WorkedResponse):
 
 
 MOST_NAMED = 12
-"""Most rollers that a legend names."""
+"""Largest number of rollers that a legend names."""
 
 
 def contact_line_figure(
@@ -155,12 +155,7 @@ def contact_line_figure(
 ) -> Figure:
     """Contact lines developed on their rollers, and the wheel along its axis and from the side.
 
-    Parameters
-    ----------
-    answer : ContactLineResponse
-        The lines with their points, in mm and degrees.
-    roller_circle_radius_mm, roller_radius_mm : float
-        R_C and rho.
+    `answer` is a `ContactLineResponse` with points, in mm and degrees; the radii are R_C and rho.
     """
     data, lines = [], answer["lines"]
     for index, line in enumerate(lines):
@@ -271,7 +266,7 @@ def _circle(x: float, y: float, radius: float) -> tuple[list[float], list[float]
 
 
 def solve(body: ContactLineRequest) -> Values:
-    """Contact lines of the rollers and their lengths; points for drawing where asked."""
+    """Contact lines of the rollers and their lengths; points for drawing on request."""
     return ContactLineResponse.values(*timed(body.solve))
 
 

@@ -1,4 +1,4 @@
-"""The crank-planetary reducer as one job: its figures and its worked steps, over its sections."""
+"""Crank-planetary reducer as one job: its figures and worked steps, by sections of the answer."""
 
 from collections.abc import Callable
 from functools import partial
@@ -57,20 +57,18 @@ from core.worked.ring import ring_steps
 from core.worked.step import Step
 
 DRAWN_SAMPLES = 361
-"""Crank angles of the figure's real forces."""
+"""Number of crank angles of solved forces in the figure."""
 
 
 def _path(body: CrankPlanetaryRequest) -> DrawnPath:
-    """The pressure along the path of contact of involute teeth, as the section `ring_mesh` has
-    it.
-    """
+    """Pressure along the path of contact of involute teeth, as in the section `ring_mesh`."""
     ring, factor = body.results.ring, body.design.load_factor
-    _ = ring.involute_load(factor)  # which needs materials
+    _ = ring.involute_load(factor)  # materials are needed
     return drawn_path(pair=ring.pair, loaded=ring.loaded_teeth(factor))
 
 
 def _shown_mesh(body: CrankPlanetaryRequest) -> ShownMesh:
-    """What the figure of the mesh shows."""
+    """Ring mesh that the figure shows."""
     turn, own = body.results.ring.working[0], body.mechanism
     if turn.mesh.disc.pins * own.satellites > MAX_DRAWN_PAIRS:
         name = "ratio" if own.ring_teeth is None else "ring_teeth"
@@ -80,9 +78,7 @@ def _shown_mesh(body: CrankPlanetaryRequest) -> ShownMesh:
 
 
 def _pattern_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
-    """The cyclogram; where forces are solved that of the pairs which carry, about it the ideal
-    one.
-    """
+    """Cyclogram; for solved forces that of the carrying pairs, with the ideal one as an outline."""
     ideal = body.mechanism.solve_for(body.carrying)
     answer = CyclogramResponse.values(ideal)
     if not body.draws_real:
@@ -92,7 +88,7 @@ def _pattern_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
 
 
 def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
-    """The forces; where they are solved with the largest ideal one as a thin line."""
+    """Forces; for solved forces with the largest ideal force as a thin line."""
     load = body.known_load
     force, switching = load.solve_for_drawing(body.carrying, body.design.members)
     ideal = ContactForceResponse.values(force)
@@ -106,10 +102,12 @@ def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
 
 
 def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
-    """Cyclogram and, where a load is given, forces over one angle axis, as a Plotly figure: by the
-    model of the answer, and the ideal one thin beside the real one. Where `include` names one of
-    the sections `cyclogram` and `contact_force`, that alone; where it names `ring_mesh` alone, the
-    mesh of the ring at its peak and over the turn, or the path of contact of involute teeth.
+    """Cyclogram and, with a load, forces over one angle axis, as a Plotly figure: by the model of
+    the answer, with ideal forces thin beside solved ones.
+
+    If `include` names one of the sections `cyclogram` and `contact_force`, that section is drawn
+    alone. If it names `ring_mesh` alone, the ring mesh at its peak and over the turn is drawn, or
+    the path of contact of involute teeth.
     """
     if body.include == ["ring_mesh"]:
         if body.design.gear.kind == "involute":
@@ -130,7 +128,7 @@ def _work_cyclogram(body: CrankPlanetaryRequest) -> list[Step]:
 
 
 def _work_contact_force(body: CrankPlanetaryRequest) -> list[Step]:
-    """Those of the ideal force, which say so where others are judged."""
+    """Worked steps of the ideal force, with a remark if other forces are judged."""
     return force_steps(
         mechanism=body.design.driven,
         found=ideal_force(body),
@@ -164,11 +162,11 @@ WORKED: dict[Section, Callable[[CrankPlanetaryRequest], list[Step]]] = {
     "crankshaft": lambda body: shaft_steps(body.results),
     "rollers": lambda body: roller_steps(body.results),
 }
-"""What works the sections of the answer; the others are solved over the turn."""
+"""Functions that make the worked steps of sections; the other sections are solved over the turn."""
 
 
 def work(body: CrankPlanetaryRequest) -> list[Values]:
-    """Worked steps of the sections that are named; where none is, of all usual ones that can be."""
+    """Worked steps of the named sections, or of all usual sections that have steps."""
     named = [each for each in body.sections if each in WORKED]
     if named:
         return worked(**{each: WORKED[each](body) for each in named})

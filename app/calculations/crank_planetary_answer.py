@@ -28,7 +28,7 @@ from core.output.sampled_turn import WAYS
 
 
 class LoadSharingOut(OverTurnOut):
-    """The mechanism as it is made, over the turn, under the torque without the dynamic factor."""
+    """Mechanism as it is made, over the turn, under the torque without the dynamic factor."""
 
     torque_direction: Literal["driving", "reverse"] = result(
         "Direction of the torque: of both the one with the larger pressure."
@@ -52,7 +52,7 @@ class LoadSharingOut(OverTurnOut):
 
 
 class DesignHertzOut(HertzResponse):
-    """The contact with the largest pressure."""
+    """Contact with the largest pressure."""
 
     line_load_factor: Maybe[float] = result(
         "Largest line load over the even one of the force, where pins bend: by how they share the "
@@ -62,7 +62,7 @@ class DesignHertzOut(HertzResponse):
 
 
 class ColdYieldOut(ResponseModel):
-    """When a plastic contact yields at once. Below that nothing says that it lasts."""
+    """First yield of a plastic contact. A lower torque is not proven to be safe over the life."""
 
     torque_Nm: float = result(
         "Torque above which the plastic yields at once, cold: the first time it acts, at 23 °C."
@@ -83,7 +83,7 @@ class ColdYieldOut(ResponseModel):
 
 
 class CrankPlanetaryResponse(JudgedResponse):
-    """One section for each that was asked, and the verdict."""
+    """One section for each that was requested, and the verdict."""
 
     model: ForcesUsed = forces_used()
     parts: Maybe[list[PartOut]] = Field(

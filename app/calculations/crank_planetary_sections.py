@@ -1,6 +1,4 @@
-"""The request for a crank-planetary reducer: the design, which sections of the answer are wanted,
-what each needs and how it is answered.
-"""
+"""Request for a crank-planetary reducer: design, sections of the answer and their needs."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -143,23 +141,23 @@ NEEDS: dict[Section, tuple[str, ...]] = {
     "combined": (),
     "worked": (),
 }
-"""Which parts of the request each section of the answer needs, and which of their fields."""
+"""Sections and fields of the request that each section of the answer needs."""
 
 INVOLUTE_NEEDS = (
     "load",
     "contact/eccentricity_mm",
     *(f"gear/{body}_profile_shift" for body in ("satellite", "ring")),
 )
-"""The same of the mesh of involute teeth."""
+"""Sections and fields that sections of an involute mesh need."""
 
 JUDGED = frozenset(("checks", "largest_torque", "fixes", "combined"))
-"""Sections that rest on the verdict."""
+"""Sections that depend on the verdict."""
 
 SEARCHED = frozenset(("fixes", "combined", "usual_fit", "usual_modification"))
-"""Sections for which designs are tried."""
+"""Sections that search among designs."""
 
 SOLVED = frozenset(("load_sharing", "real_cyclogram", "ring_mesh", "ring_drawing"))
-"""Sections for which forces are solved."""
+"""Sections whose forces are solved."""
 
 STRENGTH: tuple[Section, ...] = (
     "pin_strength",
@@ -171,7 +169,7 @@ STRENGTH: tuple[Section, ...] = (
 """Sections of strength and life."""
 
 BY_FORCES = ("load_sharing", "real_cyclogram", "hertz", "ring_mesh", *STRENGTH)
-"""Sections that rest on forces that are judged."""
+"""Sections that depend on judged forces."""
 
 MOST_PAIRS: dict[Section, int] = {
     "pin_strength": MOST_PIN_PAIRS,
@@ -179,11 +177,11 @@ MOST_PAIRS: dict[Section, int] = {
     "crankshaft": MOST_BEARING_PAIRS,
     "rollers": MOST_BEARING_PAIRS,
 }
-"""Most pairs of which they are calculated."""
+"""Largest number of pairs that each section is calculated for."""
 
 
 class _UsualCoupling:
-    """That of a design of which none is stated: both meshes in series, where they are known."""
+    """Coupling of a design without a stated one: both meshes in series, if they are known."""
 
     def section(self, _: Any = None) -> RingInSeries:
         """The coupling in SI units."""
@@ -191,13 +189,13 @@ class _UsualCoupling:
 
 
 class CrankPlanetaryRequest(DesignFields, group="mechanism"):
-    """Mechanism, load and contact, and which sections of the answer are wanted.
+    """Mechanism, load and contact, and the sections of the answer that are wanted.
 
-    The forces that are judged are those of `DesignFields`, but for perfect parts whose pins bend:
-    these are solved too, with no clearance, unless `distribution_factor` above 1 states how uneven
-    the sharing is. Of cycloid discs whose modification is known, as is the clearance of the pins,
-    both meshes are solved in series, where `satellite_coupling` does not say otherwise; on bearings
-    that are stated by `crank_support` they float.
+    Judged forces are those of `DesignFields`, with one exception: perfect parts whose pins bend are
+    solved too, without clearance, unless a `distribution_factor` above 1 states the uneven sharing.
+    Both meshes are solved in series for cycloid discs of known modification with a known clearance
+    of the pins, unless `satellite_coupling` says otherwise. Discs on bearings stated by
+    `crank_support` float.
     """
 
     mechanism: CyclogramFields
@@ -249,40 +247,40 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         return self
 
     def _needs(self, section: Section) -> tuple[str, ...]:
-        """What a section of the answer needs; of involute teeth their shifts."""
+        """Needs of a section of the answer; involute teeth need their profile shifts too."""
         teeth = section in ("ring_mesh", "ring_drawing") and self.ring_kind == "involute"
         return INVOLUTE_NEEDS if teeth else NEEDS[section]
 
     def _has(self, part: str) -> bool:
-        """Whether a part of the request, or a field of one, is given; rollers have friction."""
+        """True if a section or field of the request is given; rollers have friction."""
         return self.says(part) or (part == "friction" and self.says("rollers"))
 
     def notices(self) -> tuple[Notice, ...]:
-        """Also that nothing is known of the clearance, where nobody says that it is none."""
+        """Notices, also of an unknown clearance that is not stated to be none."""
         found = (*super().notices(), *self._of_ring())
         if self.contact is None or not self.contact.clearance_unknown:
-            return found  # without an eccentricity that is what is missing, and said
+            return found  # a missing eccentricity is reported already
         perfect = (each for each in found if each.code != "perfect_parts")
         return (Notice("clearance_unknown"), *perfect)
 
     def _of_ring(self) -> Iterator[Notice]:
-        """What is not known of a ring whose mesh is judged."""
+        """Unknown values of a ring whose mesh is judged."""
         listed = any(self.says(f"deviations/{name}") for name in RING_PIN_LISTS)
         if self.says("gear/modification") and not listed:
             yield Notice("ring_deviations_unknown")
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Also values of plastics by which they yield, where sources have them, what checks are
-        judged by, and the friction of metals where it decides; first what decides.
+        """Assumed values, the most important first, with yield values of plastics from sources,
+        values that judge checks, and friction of metals if it matters.
         """
         said = dict(super().assumed())
         try:
             design = self.design
-        except CalculationError:  # of which a solution is asked: a size that makes none yet
+        except CalculationError:  # a solution is requested for a size that makes no design yet
             yield from said.items()
             return
         own = {self._place(name): each for name, each in design.usual_values.items()}
-        if "verdict" not in self.__dict__:  # which a request for other results has none of
+        if "verdict" not in self.__dict__:  # requests for other results have no such field
             yield from (said | own).items()
             return
         checks = self.verdict.checks
@@ -304,11 +302,11 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         return tuple(map(str, self.path_of(name)))
 
     def without(self, path: tuple[str, ...]) -> Values:
-        """The peak force of one satellite, where forces are asked and their number is assumed."""
+        """Peak force of one satellite, if forces are requested and the number is assumed."""
         return super().without(path) if "contact_force" in self.sections else {}
 
     def cost(self) -> float:
-        """Points of its cyclogram and its ideal forces; what searches or solves has no end."""
+        """Number of points of its cyclogram and ideal forces; infinite for solutions."""
         include, given = self.include or (), self.given.keys()
         cranked = not given.isdisjoint(("bearing", "crankshaft"))
         searches = "pin" in given or (cranked and "gear" in given)
@@ -332,7 +330,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         return [each for each in wanted if not self._unfit(each)]
 
     def usual_sections(self) -> list[Section]:
-        """Sections where none are named."""
+        """Sections of the answer if none are named."""
         usual: tuple[Section, ...] = ("cyclogram", "contact_force", "hertz", *STRENGTH)
         if self.mechanism.output != "pins":
             usual = ("members", *usual)
@@ -350,33 +348,31 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     @property
     def _draws_ring(self) -> bool:
-        """Whether the mesh of the ring is answered where it is not named: it can be solved."""
+        """True if the ring mesh is answered without being named, as it can be solved."""
         given, found = all(map(self._has, self._needs("ring_mesh"))), self.results
         if self.ring_kind == "involute":
             return given and is_known(lambda: found.ring.involute_load(1.0))
         return given and is_known(lambda: found.ring.working)
 
     def _unfit(self, section: Section) -> bool:
-        """Whether a section rests on forces of parts that cannot be put together."""
+        """True if a section depends on forces of parts that cannot be assembled."""
         solved = section == "geometry" and self.results.solved
         return (section in BY_FORCES or solved) and self.unforced
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse what exceeds the operator's limits in mechanism or load, and lists of deviations
-        that do not fit the mechanism.
-        """
+        """Refuse inputs beyond the operator's limits, and lists that do not fit the mechanism."""
         super().refuse_beyond(settings)
         if self.load:
             self.load.refuse_beyond(settings)
 
     @cached_property
     def results(self) -> Results:
-        """What follows from the design."""
+        """Results of the design."""
         return Results(self.design)
 
     def parts(self) -> dict[str, Any]:
-        """Without pins where there is no contact: nothing loads them. Both meshes are in series
-        where nothing else is stated of the satellites.
+        """Sections of the design: no pins without a contact that loads them, and both meshes in
+        series if nothing else is stated of the satellites.
         """
         given = super().parts()
         if "contact" not in given:
@@ -392,39 +388,39 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
 
     @cached_property
     def unforced(self) -> bool:
-        """Whether no force is known, as parts cannot be put together."""
+        """True if no force is known, as parts cannot be assembled."""
         return cannot_mesh(self.results)
 
     @property
     def judges(self) -> bool:
-        """Whether the verdict is asked, or says why forces are left out."""
+        """True if the verdict is requested, or states why forces are left out."""
         return self.include is None or not JUDGED.isdisjoint(self.include) or self.unforced
 
     @property
     def asks_largest(self) -> bool:
-        """Whether the torque is asked at which the first check fails."""
+        """True if the torque at the first failure is requested."""
         return "largest_torque" in (self.include or ())
 
     @cached_property
     def usual_ring(self) -> UsualModification | None:
-        """The design with a usual ring of pins."""
+        """Design with a usual ring of pins."""
         return usual_modification(self.design)
 
     @cached_property
     def draws_real(self) -> bool:
-        """Whether figures show the forces that are solved: where these are judged, and can be."""
+        """True if figures show solved forces, which are judged and can be solved."""
         return self.results.solved and is_known(lambda: self.results.real_forces)
 
     @property
     def carrying(self) -> Mechanism:
-        """The ideal mechanism whose pairs drive in the direction of the torque that is shown."""
+        """Ideal mechanism whose pairs drive in the direction of the torque that is shown."""
         if not self.draws_real:
             return self.design.driven
         return self.design.driven_by(self.results.real_forces.way)
 
     @cached_property
     def solved_turn(self) -> Turn:
-        """The turn under the torque of the forces that are solved, in their direction."""
+        """Turn under the torque of the solved forces, in their direction."""
         solved = self.results.real_forces
         return self.results.turn(solved.way * solved.torque)
 
@@ -440,7 +436,7 @@ def _members(body: CrankPlanetaryRequest) -> Values:
 
 
 def ideal_force(body: CrankPlanetaryRequest) -> ContactForce:
-    """Contact force; without its own section only what the others need of it."""
+    """Contact force; without its own section only the values that other sections need."""
     load = body.known_load
     if "contact_force" not in body.sections:
         load = load.model_copy(update={"include": []})
@@ -452,7 +448,7 @@ def _contact_force(body: CrankPlanetaryRequest) -> Values:
 
 
 def _load_sharing(body: CrankPlanetaryRequest) -> Values:
-    """The forces that are solved over the turn, at the torque itself."""
+    """Solved forces over the turn, at the working torque."""
     sharing, run_us = timed(lambda: body.results.real_forces)
     forces = if_known(lambda: body.results.judged_forces)
     force_N = forces.force if isinstance(forces, RealForces) else None
@@ -473,7 +469,7 @@ def _load_sharing(body: CrankPlanetaryRequest) -> Values:
 
 
 def real_curves(body: CrankPlanetaryRequest, samples: int) -> ForceCurves:
-    """Forces that are solved, over the range of the figure of forces."""
+    """Solved forces over the range of the figure of forces."""
     angles, _ = drawing_angles(mechanism=body.built, samples=2)
     turns = float(angles[-1]) / (2 * math.pi)
     carried = real_cyclogram(turn=body.solved_turn, revolutions=turns)
@@ -488,7 +484,7 @@ def real_curves(body: CrankPlanetaryRequest, samples: int) -> ForceCurves:
 
 
 def carrying_pairs(body: CrankPlanetaryRequest) -> RealCyclogram:
-    """Which pairs carry."""
+    """Pairs that carry."""
     return real_cyclogram(turn=body.solved_turn, revolutions=body.mechanism.revolutions)
 
 
@@ -555,7 +551,7 @@ def _geometry(body: CrankPlanetaryRequest) -> Values:
 
 
 def _usual_fit(body: CrankPlanetaryRequest) -> Values | None:
-    """The design with a usual clearance, where none is known or 0 is stated."""
+    """Design with a usual clearance, if none is known or 0 is stated."""
     found = usual_clearance_too(design=body.design, ring=body.usual_ring)
     return UsualFitOut.of(*found, largest=body.asks_largest) if found else None
 
@@ -583,13 +579,12 @@ ANSWERS: dict[Section, Callable[[CrankPlanetaryRequest], Values | None]] = {
     "usual_fit": _usual_fit,
     "usual_modification": _usual_modification,
 }
-"""What answers a section, in the order of the answer; None where there is nothing to say. Checks
-and fixes are of the verdict.
-"""
+"""Functions that answer each section, in the order of the answer; None if there is no answer.
+Checks and fixes belong to the verdict."""
 
 
 def _judged(body: CrankPlanetaryRequest) -> Values:
-    """Verdict, and checks and fixes, of one input and of several, where asked."""
+    """Verdict, with checks and fixes of one or several inputs on request."""
     found = body.verdict
     fixes: list[Fix] = []
     if {"fixes", "combined"} & {*body.sections}:
@@ -614,7 +609,7 @@ def _judged(body: CrankPlanetaryRequest) -> Values:
 
 
 def _cold_values(body: CrankPlanetaryRequest, cold: ColdYield) -> Values:
-    """When a plastic contact yields at once, and where its strength comes from."""
+    """First yield of a plastic contact, and the source of its strength."""
     given = getattr(body.given["contact"], f"{cold.body}_material")
     own = not isinstance(given, str) and (given.yield_strength_MPa or given.tensile_strength_MPa)
     entry = NOT_LISTED if own else entry_of(given)
@@ -622,7 +617,7 @@ def _cold_values(body: CrankPlanetaryRequest, cold: ColdYield) -> Values:
 
 
 def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
-    """What is to be said of the design, whichever sections are asked."""
+    """Notices about the design, whatever sections are requested."""
     results, found = body.results, notices_of(if_known(body.solve_fit))
     if body.contact is not None:
         found += body.contact.material_notices()
@@ -632,14 +627,14 @@ def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
         found += (Notice("meshes_apart", {"forces": forces, "limit": MOST_IN_SERIES}),)
     if body.judges or "hertz" in body.sections:
         found += notices_of(if_known(lambda: results.disc_of(results.hertz)))
-    if "pin_strength" not in body.sections:  # which tells it itself
+    if "pin_strength" not in body.sections:  # the section states the notice itself
         found += results.size_notices
     return found
 
 
 def solve(body: CrankPlanetaryRequest) -> Values:
-    """Cyclogram, contact force, load sharing, Hertz stress, pins, efficiency, bearings, crankshaft,
-    geometry: the sections that are asked; verdict and shares where something is judged.
+    """Cyclogram, contact force, load sharing, Hertz stress, pins, efficiency, bearings, crankshaft
+    and geometry as requested; verdict and shares if something is judged.
     """
     asked, results = body.sections, body.results
     sections = present({name: answer(body) for name, answer in ANSWERS.items() if name in asked})

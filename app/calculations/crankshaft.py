@@ -34,7 +34,7 @@ class CrankshaftRequest(CrankedRequest):
     crankshaft: CrankshaftFields
 
     def cost(self) -> float:
-        """No end: the loads of its bearings are searched over the turn."""
+        """Infinite, as the loads of the bearings are searched over the turn."""
         return math.inf
 
     def solve(self) -> Crankshaft:
@@ -46,7 +46,7 @@ class CrankshaftRequest(CrankedRequest):
         return shaft_steps(self.results)
 
     def solve_for_drawing(self) -> tuple[Crankshaft, ReactionCurves]:
-        """The same, and curves over the turn."""
+        """Reactions and balance, and curves over the turn."""
         angles, _ = self.drawn_angles()
         return self.solve(), design_reactions(results=self.results, crank_angle=angles)
 
@@ -67,7 +67,7 @@ class ShaftBearingOut(ResponseModel):
 
 
 class CorrectionOut(ResponseModel):
-    """What balances the shaft in the plane of a bearing."""
+    """Correction of the unbalance in the plane of a bearing."""
 
     unbalance_kg_mm: float = result("Mass times radius.", symbol="U")
     angle_deg: float = result("Its direction, counted as the crank angles are.", symbol="α")
@@ -106,20 +106,7 @@ class CrankshaftResponse(AssumingResponse):
 
 
 def reaction_figure(curves: ReactionCurves, theme: Theme) -> Figure:
-    """Reactions in the crank's frame at the left, over the turn at the right.
-
-    Parameters
-    ----------
-    curves : ReactionCurves
-        Reactions over the turn.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
-    """
+    """Reactions in the crank's frame at the left, over the turn at the right."""
     angles = from_si("crank_angle_deg", curves.crank_angle)
     force = Amount("%{y:.5g}", "N")
     data = []

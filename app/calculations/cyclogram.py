@@ -15,7 +15,7 @@ from core.worked.step import Step
 
 
 class CyclogramRequest(CyclogramFields, WorkedFields):
-    """A mechanism and the range of its cyclogram, and whether it is worked."""
+    """Mechanism, range of its cyclogram, and optional worked steps."""
 
     def steps(self) -> list[Step]:
         """Worked steps of the cyclogram."""
@@ -26,15 +26,8 @@ class CyclogramRequest(CyclogramFields, WorkedFields):
 def cyclogram_figure(answer: Values, theme: Theme, real: Values | None = None) -> Figure:
     """Cyclogram as papers draw it: pairs as rows, colour and hatch by satellite.
 
-    Parameters
-    ----------
-    answer : dict
-        As `/cyclogram` answers.
-    theme : {"light", "dark"}
-        Look of the figure.
-    real : dict, optional
-        Which pairs really carry, as `RealCyclogramOut` has it: these are the bars then, and the
-        ideal ones thin outlines about them.
+    `answer` is that of `/cyclogram`. `real` has the pairs that carry, as in `RealCyclogramOut`;
+    they are drawn as bars then, with the ideal ones as thin outlines.
     """
     end = answer["driving_count"][-1]["to_deg"]
     satellites = max(pair["satellite"] for pair in answer["pairs"])
@@ -116,7 +109,7 @@ def cyclogram_figure(answer: Values, theme: Theme, real: Values | None = None) -
 
 
 def _phases(pair: Values) -> list[Range]:
-    """When a pair drives; of a real one, when it carries."""
+    """Phases in which a pair drives, or carries."""
     phases: list[Range] = pair["driving_deg" if "driving_deg" in pair else "loaded_deg"]
     return phases
 
@@ -159,7 +152,7 @@ def _bars(pairs: list[Values], satellite: int, theme: Theme) -> Figure:
 
 
 def _outlines(pairs: list[Values], theme: Theme) -> Figure:
-    """The ideal phases of all pairs, thin about the real ones."""
+    """Ideal phases of all pairs, as thin outlines about the real ones."""
     phases = [
         (f"{pair['satellite']}.{pair['pin']}", start, stop)
         for pair in pairs
@@ -183,7 +176,7 @@ def _outlines(pairs: list[Values], theme: Theme) -> Figure:
 
 
 def _ideal_count(intervals: list[Values], theme: Theme) -> Figure:
-    """The ideal number of driving pairs, thin behind the real one."""
+    """Ideal number of driving pairs, thin behind the real one."""
     own = _count(intervals, "driving_pairs", theme)
     line = own["line"] | {"width": 1, "dash": "dot"}
     return own | {"name": text("ideal"), "meta": IDEAL, "line": line, "fill": "none"}
@@ -209,18 +202,7 @@ def _count(intervals: list[Values], words: str, theme: Theme) -> Figure:
 
 
 def over_one_axis(pattern: Figure, forces: Figure) -> Figure:
-    """The forces under the cyclogram, both over the same crank angle.
-
-    Parameters
-    ----------
-    pattern, forces : dict
-        Figures of the cyclogram and of the contact force.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
-    """
+    """Figure of the contact force below that of the cyclogram, over one axis of the crank angle."""
     upper, lower = pattern["layout"], forces["layout"]
     total = upper["height"] + lower["height"]
     share = lower["height"] / total
@@ -245,7 +227,7 @@ def over_one_axis(pattern: Figure, forces: Figure) -> Figure:
 
 
 def solve(body: CyclogramRequest) -> Values:
-    """Which pin/hole pairs drive, when, how many together; dead centres; assembly angles."""
+    """Pairs of pin and hole that drive, with times and counts; dead centres; assembly angles."""
     return CyclogramResponse.values(*timed(body.solve))
 
 

@@ -1,5 +1,5 @@
-"""The design document, as far as the whole design and its single calculations share it: mechanism,
-load, contact, how the output mechanism is made, and the forces that follow.
+"""Design document as shared by the whole design and its single calculations: mechanism, load,
+contact, output mechanism as it is made, and the forces that follow.
 """
 
 import math
@@ -75,7 +75,7 @@ from core.precision import SAME
 Phase = Annotated[float, Field(ge=-360, le=360)]
 
 MAX_LISTED_PINS = 1000
-"""Most pins whose deviations are listed one by one."""
+"""Largest number of pins whose deviations are listed one by one."""
 
 
 torque_direction = partial(
@@ -93,7 +93,7 @@ class RealLoadFields(TorqueFields, group="load"):
     torque_direction: Direction = torque_direction()
 
     def signed_torque(self, torque: float) -> float:
-        """A torque with the sign of its direction, N*m."""
+        """Torque with the sign of its direction, N*m."""
         return -torque if self.torque_direction == "reverse" else torque
 
 
@@ -107,7 +107,7 @@ class OneWayLoadFields(RealLoadFields, group="study"):
 
 
 class RealContactFields(PinContactFields, group="contact"):
-    """Pin, hole, crank and clearance. Forces and pressures are those at the torque: the dynamic
+    """Pin, hole, crank and clearance. Forces and pressures are those at the torque, as the dynamic
     factor is for checks.
     """
 
@@ -127,7 +127,7 @@ class RealContactFields(PinContactFields, group="contact"):
 
 
 class BentPinFields(HeldPinFields, group="pin"):
-    """How the pins are held, and where the satellites load them."""
+    """Supports of the pins, and places where the satellites load them."""
 
     diameter_mm: Maybe[Size] = quantity("Pin diameter", "d", step=0.5)
     """Diameter of the pin itself, inside its sleeve or its rollers where it has them."""
@@ -141,18 +141,7 @@ class BentPinFields(HeldPinFields, group="pin"):
     _bore_size = field_validator("bore_diameter_mm")(no_dust)
 
     def held(self, *around: dict[str, Any]) -> PinSupport:
-        """The pin in SI units.
-
-        Parameters
-        ----------
-        *around : dict
-            Diameter, m, and material of what is around it, the nearest first, which it has where
-            its own are not given.
-
-        Returns
-        -------
-        PinSupport
-        """
+        """Pin in SI units; diameter, m, and material not given come from the first of `around`."""
         own = ChainMap(self.to_core(), *around)
         return PinSupport(
             support=self.support,
@@ -166,7 +155,7 @@ class BentPinFields(HeldPinFields, group="pin"):
 
 
 class CrankSupportFields(RequestModel, group="crank_support"):
-    """Bearings of the satellites on their cranks. The gear's force on them is left out."""
+    """Bearings of the satellites on their cranks. The force of the ring on them is left out."""
 
     stiffness_N_per_mm: Maybe[Size] = quantity("Stiffness of a bearing", "k_b", step=10_000)
     """Radial stiffness of the bearing of one satellite; rigid where not given."""
@@ -186,7 +175,7 @@ CouplingKind = Literal["rigid", "elastic", "shares"]
 
 
 class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
-    """How the satellites share the torque."""
+    """Sharing of the torque between the satellites."""
 
     KINDS: ClassVar[Kinds] = {
         "rigid": ((), ()),
@@ -213,7 +202,7 @@ class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
 
     @property
     def gives(self) -> bool:
-        """Whether the satellites give by it."""
+        """True if the coupling makes the satellites elastic."""
         return self.kind != "rigid"
 
     def section(self, _: Any = None) -> SatelliteSupport:
@@ -227,17 +216,17 @@ class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
 
 
 GIVING = ("crank_support", "satellite_coupling")
-"""Sections that say what the satellites give."""
+"""Sections that state the elasticity of the satellites."""
 
 
 class GivingFields(RequestModel):
-    """What the satellites give, on their cranks and in their mesh."""
+    """Elasticity of the satellites on their cranks and in their mesh."""
 
     crank_support: Maybe[CrankSupportFields] = None
     satellite_coupling: Maybe[SatelliteCouplingFields] = None
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Also the material of pins where it is not given: that of the contact."""
+        """Assumed values, with the material of pins taken from the contact."""
         yield from super().assumed()
         match self.given:
             case {"pin": BentPinFields(material=None), "contact": PinContactFields() as contact}:
@@ -247,60 +236,38 @@ class GivingFields(RequestModel):
 
     @property
     def around_pins(self) -> list[dict[str, Any]]:
-        """What pins have where they do not say it, by what is around them, the nearest first."""
+        """Values that pins take from surrounding parts if not given, the nearest part first."""
         given = self.given
         return [given[name].surface for name in ("rollers", "contact") if name in given]
 
     def refuse_of_a_coupling(self, *sections: str) -> None:
-        """Refuse sections that two shafts which pins couple have none of.
-
-        Parameters
-        ----------
-        *sections : str
-            Their names.
-
-        Raises
-        ------
-        PydanticCustomError
-            If any is given.
-        """
+        """Refuse named sections that a pin coupling of two shafts does not have."""
         for name in sections:
             if self.says(name):
                 raise field_error(name, "of_other_output", output="coupling")
 
     @property
     def tied(self) -> bool:
-        """Whether a tie ring joins the pins."""
+        """True if a tie ring joins the pins."""
         pin = getattr(self, "pin", None)
         return getattr(pin, "support", None) == "tie_ring"
 
     @property
     def giving(self) -> list[str]:
-        """Sections by which the satellites give."""
+        """Sections that make the satellites elastic."""
         given = self.given
         return [name for name in GIVING if name in given and given[name].gives]
 
     @cached_property
     def support(self) -> SatelliteSupport:
-        """What the satellites give."""
+        """Elasticity of the satellites."""
         given = self.given
         return Supports(
             *(given[name].section() if name in given else RIGID_SUPPORT for name in GIVING)
         )
 
     def refuse_other_shares(self, satellites: int) -> None:
-        """Refuse shares that are not one for each satellite.
-
-        Parameters
-        ----------
-        satellites : int
-            Their number.
-
-        Raises
-        ------
-        Problem
-            If they are not.
-        """
+        """Refuse shares that are not one for each satellite."""
         shares = self.support.given_shares
         if shares and len(shares) != satellites:
             counts = {"expected": satellites, "actual": len(shares)}
@@ -317,8 +284,8 @@ PhasePerSatellite = Annotated[list[Phase], OF_SATELLITES]
 
 
 class DeviationsFields(RequestModel, group="deviations"):
-    """What a piece deviates from its nominal sizes: of each pin, of each hole satellite by
-    satellite, of each crank or disc. Positive: outward, in the driving sense, larger, ahead.
+    """Deviations of a piece from its nominal sizes: of each pin, of each hole satellite by
+    satellite, of each crank or disc. Positive means outward, in the driving sense, larger, ahead.
     """
 
     pin_radial_mm: Maybe[PerPin] = quantity("Pins outward", "ρ", step=0.001)
@@ -349,13 +316,7 @@ class DeviationsFields(RequestModel, group="deviations"):
         return Deviations(**{name: fixed(value) for name, value in self.to_core().items()})
 
     def refuse_other_lengths(self, pins: int, satellites: int) -> None:
-        """Refuse lists that do not fit the mechanism.
-
-        Raises
-        ------
-        Problem
-            If there are.
-        """
+        """Refuse lists that do not fit the mechanism."""
         errors = [
             wrong(f"/deviations/{place}", "different_length", expected=want, actual=have)
             for place, want, have in self._lengths(pins, satellites)
@@ -381,20 +342,20 @@ ForcesUsed = Literal["ideal", "real"]
 Result = TypeVar("Result")
 
 Speed = Annotated[float, Field(ge=-1e6, le=1e6, json_schema_extra=NO_DUST), AfterValidator(no_dust)]
-"""A speed with its sense."""
+"""Speed with a sign for its sense."""
 
 input_speed = partial(quantity, "Input speed", "n₁", step=50, help="Speed of the crankshaft.")
 
 
 OF_BOTH = "ring_speed_rpm", "carrier_speed_rpm"
-"""Speeds of which one is given where ring and pins are both the output."""
+"""Speeds of which one is given if ring and pins are both outputs."""
 
 RINGLESS = "gear", "bearing", "crankshaft"
-"""Sections that a coupling has none of."""
+"""Sections that a coupling does not have."""
 
 
 class DesignLoadFields(LoadFields, group="load"):
-    """Load with the direction of its torque, its speed, and how it changes."""
+    """Load with the direction of its torque, its speed and its variation."""
 
     torque_direction: Direction = torque_direction()
     input_speed_rpm: Maybe[Size] = input_speed()
@@ -411,7 +372,7 @@ class DesignLoadFields(LoadFields, group="load"):
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("ring_speed_rpm",), ("carrier_speed_rpm",), ()),)
 
     def notices(self) -> tuple[Notice, ...]:
-        """Also that the application factor takes some of the torque away."""
+        """Notices, also of an application factor below 1."""
         return super().notices() + of_load_factor(self.application_factor)
 
     def section(self, whole: Any) -> Load:
@@ -431,13 +392,13 @@ class DesignLoadFields(LoadFields, group="load"):
 
 
 class DrivenLoadFields(DesignLoadFields, group="load"):
-    """The same with its speed."""
+    """Load with the direction of its torque and its speed."""
 
     input_speed_rpm: Size = input_speed()
 
 
 class DesignPinFields(BentPinFields, group="pin"):
-    """A pin as it is held, bends and breaks."""
+    """Pin with its support, bending and strength."""
 
     contact_length_mm: Maybe[Size] = quantity("Contact length", "b", step=1)
     """Length of the contact along the pin: the width of the satellite."""
@@ -446,7 +407,7 @@ class DesignPinFields(BentPinFields, group="pin"):
     bolt: Maybe[PinBoltFields] = None
 
     def section(self, whole: Any) -> DesignPin:
-        """The pin in SI units; what is not given is that of what is around it."""
+        """Pin in SI units; values not given come from the surrounding parts."""
         held = self.held(*whole.around_pins)
         own = ChainMap(self.to_core(), *whole.around_pins)
         return DesignPin(
@@ -464,30 +425,30 @@ class DesignPinFields(BentPinFields, group="pin"):
 
 
 class SleevedPinFields(DesignPinFields, group="pin"):
-    """The pin inside its sleeve; it bends where the places of the satellites are given."""
+    """Pin inside its sleeve, which bends if the places of the satellites are given."""
 
     satellite_positions_mm: Maybe[list[Size]] = pin_places()  # type: ignore[assignment]
 
 
 class DesignDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="deviations"):
-    """What a piece deviates from its nominal sizes: of each pin, of each hole satellite by
-    satellite, of each crank or disc, of each pin of the ring. Positive: outward, in the driving
+    """Deviations of a piece from its nominal sizes: of each pin, of each hole satellite by
+    satellite, of each crank or disc, of each ring pin. Positive means outward, in the driving
     sense, larger, ahead.
     """
 
     @property
     def of_ring_alone(self) -> bool:
-        """Whether nothing is stated but of the pins of the ring."""
+        """True if deviations of ring pins alone are stated."""
         given = {*self.given}
         return bool(given) and given <= {*RING_PIN_LISTS}
 
 
 class DesignFields(GivingFields):
-    """Mechanism, load and contact, and all that changes the forces.
+    """Mechanism, load and contact, and all inputs that change the forces.
 
-    Where clearance, deviations, a contact law or satellites that give are given, the forces are
-    those of the mechanism as it is made, as by `/load-sharing`, and the pins bend. Else they are
-    the ideal ones, shared equally by the satellites.
+    If clearance, deviations, a contact law or elastic satellites are given, forces are those of the
+    mechanism as it is made, as in `/load-sharing`, and the pins bend. Otherwise forces are ideal
+    and shared equally by the satellites.
     """
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = (
@@ -553,37 +514,37 @@ class DesignFields(GivingFields):
 
     @property
     def ring_kind(self) -> str | None:
-        """Kind of the mesh with the ring, where there is one and says it."""
+        """Kind of the mesh with the ring, if a ring is given and states it."""
         return getattr(self.given.get("gear"), "kind", None)
 
     @property
     def known_load(self) -> DesignLoadFields:
-        """The load, of what needs one."""
+        """Load, for results that need one."""
         load: DesignLoadFields = self.given["load"]
         return load
 
     @cached_property
     def as_made(self) -> bool:
-        """Whether clearance, deviations, a law of contact or satellites that give are given."""
+        """True if clearance, deviations, a contact law or elastic satellites are given."""
         loose = self.contact is not None and self._clearance_mm(self.contact) > 0
         made = self.deviations is not None and not self.deviations.of_ring_alone
         return loose or made or bool(self.giving) or self.contact_law is not None
 
     def _clearance_mm(self, contact: PinContactFields) -> float:
-        """Radial clearance with what rollers add to one that is known."""
+        """Known radial clearance, with the play of rollers."""
         given = contact.clearance_mm()
         if self.rollers is None or contact.clearance_unknown:
             return given
         return given + (self.rollers.radial_clearance_mm or 0.0) / 2
 
     def without(self, path: tuple[str, ...]) -> dict[str, Any]:
-        """The ideal peak force of one satellite, where their number is assumed."""
+        """Ideal peak force of one satellite, if the number of satellites is assumed."""
         if path != ("mechanism", "satellites") or self.load is None:
             return {}
         return force_of_one(self.mechanism, self.load)
 
     def notices(self) -> tuple[Notice, ...]:
-        """Also a ratio that no cycloid disc with one lobe less has."""
+        """Notices, also of a ratio that no cycloid disc with one lobe less has."""
         gear: Any = self.given.get("gear")
         found = super().notices()
         one_lobe_less = self.ring_kind == "cycloid" and (gear.teeth_difference or 1) == 1
@@ -595,19 +556,17 @@ class DesignFields(GivingFields):
 
     @property
     def forces(self) -> ForcesUsed:
-        """Which forces the results follow from."""
+        """Kind of forces that the results follow from."""
         return "real" if self.results.solved else "ideal"
 
     def cost(self) -> float:
-        """Points of the ideal forces; real ones are solved, and those of bent pins searched."""
+        """Number of points of ideal forces; infinite for solved forces and bent pins."""
         if self.as_made or self.pin is not None or self.load is None:
             return math.inf
         return self.mechanism.points(exponent=self.load.force_exponent)
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse what exceeds the operator's limits in pairs, and lists of deviations or shares
-        that do not fit the mechanism.
-        """
+        """Refuse too many pairs, and lists that do not fit the mechanism."""
         self.mechanism.refuse_beyond(settings)
         self.refuse_other_shares(self.mechanism.satellites)
         if self.deviations is not None:
@@ -618,38 +577,38 @@ class DesignFields(GivingFields):
 
     @cached_property
     def built(self) -> Mechanism:
-        """The mechanism, built once."""
+        """Mechanism, built once."""
         return self.mechanism.mechanism()
 
     def parts(self) -> dict[str, Any]:
-        """The sections of the design that are given, by their names in it."""
+        """Given sections of the design, by their names in it."""
         given = self.given
         return {each.name: given[each.name] for each in fields(Design) if each.name in given}
 
     @cached_property
     def design(self) -> Design:
-        """The design in SI units; what a request cannot ask for is not required."""
+        """Design in SI units, without requirements that the request cannot state."""
         sections = {name: each.section(self) for name, each in self.parts().items()}
         return Design(**{"requirements": Requirements(life=math.inf)} | sections)
 
     @cached_property
     def results(self) -> Results:
-        """What follows from it, each result worked out once; perfect parts share equally."""
+        """Results of the design, with satellites of perfect parts sharing equally."""
         return Results(self.design, equal=True)
 
     def with_fit(self, result: Result) -> Result:
-        """A result with the notices of how pins and holes fit."""
+        """Result with notices about the fit of pins and holes."""
         fit = notices_of(if_known(self.solve_fit))
         notices = (*fit, *notices_of(result))
         return cast(Result, replace(cast(Any, result), notices=notices))
 
     def drawn_angles(self) -> tuple[FloatArray, FloatArray]:
-        """Crank angles of a figure's curves, and where ideal pairs switch, rad."""
+        """Crank angles of a figure's curves with the switching angles of ideal pairs, rad."""
         angles, switching = drawing_angles(mechanism=self.built)
         return angles, switching[:0] if self.results.solved else switching
 
     def solve_fit(self) -> PinFit:
-        """How pins and holes fit; `NotKnown` without pins."""
+        """Fit of pins in holes; `NotKnown` without pins."""
         load, contact = self.design.load, self.design.contact
         lacks = ("section_missing", "contact")
         return pin_fit(
@@ -662,7 +621,7 @@ class DesignFields(GivingFields):
 
 
 def forces_used() -> Any:
-    """The field of an answer that says which forces it follows from."""
+    """Field of an answer that states the kind of forces."""
     return result(
         "Forces that it follows from: the ideal ones, or the real ones, with clearance, deviations "
         "and elasticity, where these are given or, in the whole design, pins bend."
@@ -670,7 +629,7 @@ def forces_used() -> Any:
 
 
 class SatelliteBodyFields(RequestModel, group="satellite_body"):
-    """The body of a satellite, as far as it is given."""
+    """Body of a satellite, as far as it is given."""
 
     outer_radius_mm: Maybe[Size] = quantity("Outer radius", "r_o", step=1)
     """Outer radius of the satellite, with its teeth."""
@@ -683,7 +642,7 @@ class SatelliteBodyFields(RequestModel, group="satellite_body"):
     width."""
 
     def section(self, _: Any) -> SatelliteBody:
-        """The same in SI units."""
+        """Body in SI units."""
         return SatelliteBody(**self.to_core())
 
 
@@ -699,5 +658,5 @@ class TemperaturesFields(RequestModel, group="temperatures"):
     """Temperature of the pins at work."""
 
     def section(self, _: Any) -> Temperatures:
-        """The same in SI units, but for degrees Celsius."""
+        """Temperatures in degrees Celsius, as the core has them."""
         return Temperatures(**self.to_core())

@@ -1,4 +1,4 @@
-"""The mesh of satellites and ring within the whole design: what is answered of it, and drawn."""
+"""Mesh of satellites and ring within the whole design: answer and drawing."""
 
 from app.calculations.involute_mesh import solved_pair
 from app.calculations.members_answer import at_output
@@ -19,13 +19,13 @@ from core.ring.mesh_curves import MeshCurves, SeriesCurves
 from core.ring.series_teeth import TeethInSeries
 
 DRAWN_RING = 120
-"""Crank angles at which discs and ring are drawn, at least, of at most `MAX_DRAWN_PAIRS`."""
+"""Least number of crank angles at which discs and ring are drawn."""
 
 MAX_DRAWN_PAIRS = 240
-"""Most pairs of discs and ring that are drawn."""
+"""Largest number of pairs of discs and ring that are drawn."""
 
 DRAWN_ERROR = 1e-5
-"""Chord error of the outline there, m."""
+"""Chord error of the drawn outline, m."""
 
 
 def mesh_of(results: Results) -> Solved:
@@ -54,7 +54,7 @@ def _involute_mesh(results: Results) -> Solved:
     design = results.design
     factor = design.load_factor
     pair, loaded = results.ring.pair, results.ring.loaded_teeth(factor)
-    _ = results.ring.involute_load(factor)  # which needs materials
+    _ = results.ring.involute_load(factor)  # materials are needed
     asked = {"stresses"} | ({"shared_pairs"} if pair.on_involutes else set())
     solved = solved_pair(
         ring=design.involute,
@@ -65,14 +65,14 @@ def _involute_mesh(results: Results) -> Solved:
         asked=asked,
     )
     values = solved.values
-    del values["kind"]  # which the design says
+    del values["kind"]  # the design states them
     values["satellite_torque_Nm"] = loaded["torque"]
     values["geometry"] = at_output(values["geometry"], design.members)
     return solved
 
 
 def drawing_of(results: Results) -> Values | None:
-    """Satellites and ring as they are drawn, and what discs on pins do under the torque."""
+    """Satellites and ring as they are drawn, and curves of discs on pins under the torque."""
     design = results.design
     if design.gear.kind == "involute":
         return if_known(

@@ -1,4 +1,4 @@
-"""Fatigue of a part: what it is judged by, and its stress cycle."""
+"""Fatigue of a part: basis of its strength, and stress cycle."""
 
 from typing import Any, ClassVar
 
@@ -9,11 +9,11 @@ from core.design.sections import FatigueBasis
 from core.fatigue import Criterion, Edition, Surface
 
 STEEL_GPA = 190.0, 220.0
-"""Young's moduli of steels: for them only there is a rule of the endurance limit."""
+"""Range of Young's moduli of steels, for which alone a rule of the endurance limit exists."""
 
 
 class NotchFields(PartFields, group="fatigue"):
-    """A notch of the part where it bends most."""
+    """Notch of the part at its largest bending stress."""
 
     theoretical_factor: float = quantity("Stress concentration", "K_t", step=0.1, ge=1, le=100)
     """Elastic stress concentration factor of the notch."""
@@ -21,12 +21,12 @@ class NotchFields(PartFields, group="fatigue"):
     """Radius of the notch."""
 
     def section(self) -> tuple[float, float]:
-        """Factor, and radius in SI units."""
+        """Notch factor, and radius in SI units."""
         return self.theoretical_factor, to_si("radius_mm", self.radius_mm)
 
 
 class FatigueFields(RequestModel, group="fatigue"):
-    """What the fatigue of a part is judged by."""
+    """Basis of the fatigue strength of a part."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
         (("surface",), ("surface_factor",), ("endurance_limit_MPa",)),
@@ -57,14 +57,12 @@ class FatigueFields(RequestModel, group="fatigue"):
     """How the mean stress counts: Goodman, Gerber, Soderberg or Haigh after FKM."""
 
     def section(self, _: Any = None) -> FatigueBasis:
-        """The same in SI units."""
+        """Basis in SI units."""
         return FatigueBasis(**self.to_core())
 
 
 class PinFatigueFields(FatigueFields, group="fatigue"):
-    """What the fatigue of a pin is judged by, which is loaded once a turn of the crank against the
-    output.
-    """
+    """Basis of the fatigue strength of a pin, loaded once a turn of the crank against the pins."""
 
     life_h: Maybe[Size] = quantity("Life", "L", step=500)
     """Time that the pins have to last: for fewer than a million cycles their strength is above the
@@ -72,7 +70,7 @@ class PinFatigueFields(FatigueFields, group="fatigue"):
 
 
 class FactorsOut(ResponseModel):
-    """What the endurance limit is made of: k_a·k_b·k_e·S_e′/K_f."""
+    """Factors of the endurance limit: k_a·k_b·k_e·S_e′/K_f."""
 
     surface: float = result("Factor of the surface.", symbol="k_a")
     size: float = result("Factor of the size.", symbol="k_b")
@@ -81,7 +79,7 @@ class FactorsOut(ResponseModel):
 
 
 class CycleOut(ResponseModel):
-    """A stress cycle of a part, and how it is judged."""
+    """Stress cycle of a part with its safety."""
 
     max_stress_MPa: float = result("Largest stress.", symbol="σ_max")
     min_stress_MPa: float = result("Least stress.", symbol="σ_min")

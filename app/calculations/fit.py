@@ -1,4 +1,4 @@
-"""Whether pins and holes go together and turn, by geometry: request, answer, figure."""
+"""Geometric fit of pins in holes, and freedom to turn: request, answer, figure."""
 
 from functools import cached_property
 from typing import Literal
@@ -51,30 +51,30 @@ from core.precision import ROUNDING
 Section = Literal["positions", "elastic", "discs", "worked"]
 
 MAX_FIT_PAIRS = 240
-"""Most pairs whose room and play are searched over the turn: each has dead angles of its own."""
+"""Largest number of pairs whose room and play are searched over the turn."""
 
 MAX_POSITIONS = 1000
-"""Most crank angles of one request."""
+"""Largest number of crank angles in a request."""
 
 MAX_ARCS = 100_000
-"""Most lags of pairs: crank angles times pairs."""
+"""Largest number of lags of pairs: crank angles times pairs."""
 
 
 DRAWN_ANGLES = 721
-"""Crank angles of the figure's curves, besides the ends of what jams."""
+"""Number of crank angles of the figure's curves, besides the ends of jammed stretches."""
 
 LEFT_OUT = ("bodies_rigid", "friction", "heat", "pin_bending", "shaft_bearings", "tilt")
-"""What the model leaves out."""
+"""Effects that the model leaves out."""
 
 
 class PinCircleFields(RequestModel, group="load"):
-    """Where the pins stand: no load is asked."""
+    """Pin circle; no load is needed."""
 
     pin_circle_radius_mm: Size = pin_circle_radius()
 
 
 class FitRequest(RequestModel, group="positions"):
-    """Mechanism and contact as the parts are made, and which results are wanted."""
+    """Mechanism and contact as the parts are made, and the results that are wanted."""
 
     mechanism: MechanismFields
     load: PinCircleFields
@@ -94,9 +94,7 @@ class FitRequest(RequestModel, group="positions"):
     )
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse what exceeds the operator's limits, what takes too long, and lists of deviations
-        that do not fit the mechanism.
-        """
+        """Refuse inputs beyond the operator's limits or too slow, and lists of other lengths."""
         self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
         limit = MAX_FIT_PAIRS
@@ -109,11 +107,11 @@ class FitRequest(RequestModel, group="positions"):
 
     @cached_property
     def built(self) -> Mechanism:
-        """The mechanism, built once."""
+        """Mechanism, built once."""
         return self.mechanism.mechanism()
 
     def fit(self) -> Fit:
-        """The pins in their holes, in SI units."""
+        """Pins in their holes, in SI units."""
         given = self.crank_support
         support = RIGID_SUPPORT if given is None else given.section()
         real = RealMechanism(
@@ -127,13 +125,13 @@ class FitRequest(RequestModel, group="positions"):
         return Fit(real.rooms, real)
 
     def rooms_to_draw(self) -> Rooms:
-        """Their geometry, of holes that hold their pins."""
+        """Geometry of pins in holes, for the figure; each hole has to hold its pin."""
         rooms = self.fit().rooms
         rooms.refuse_without_bound()
         return rooms
 
     def solve_all(self) -> tuple[Values, Accuracy, tuple[Notice, ...]]:
-        """What is asked for, its accuracy, and what is to be known of it."""
+        """Requested values, with their accuracy and notices."""
         fit, members = self.fit(), self.mechanism.members
         rooms = fit.rooms
         values: Values = {"fit": at_output(WholeFitOut.values(rooms), members)}
@@ -155,14 +153,14 @@ class FitRequest(RequestModel, group="positions"):
 def fit_notices(
     contact: PinContactFields, pin_circle_radius_mm: float, rooms: Rooms
 ) -> tuple[Notice, ...]:
-    """What of the sizes looks like a slip, and satellites that are put on by other holes."""
+    """Notices of sizes that look mistyped, and of satellites assembled by other holes."""
     sizes = contact.sizes_on(pin_circle_radius_mm)
     slips = slip_notices(**{name: sizes[name] for name in SLIPPED})
     return (*slips, *((Notice("next_hole"),) if any(rooms.numbered[1]) else ()))
 
 
 def room_accuracy(rooms: Rooms) -> Accuracy:
-    """Accuracy of the least room: relative to itself, at most 1."""
+    """Accuracy of the least room: relative to the room, at most 1."""
     if rooms.state == "no_bound":
         return Accuracy("closed_form", ROUNDING, 1)
     if rooms.even:
@@ -172,21 +170,7 @@ def room_accuracy(rooms: Rooms) -> Accuracy:
 
 
 def fit_figure(rooms: Rooms, theme: Theme) -> Figure:
-    """Room over a turn of the wave, in all and of each satellite by itself, with its least place;
-    shaded where the parts jam.
-
-    Parameters
-    ----------
-    rooms : Rooms
-        Pins in their holes, which hold them.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
-    """
+    """Room over a turn of the wave, in all and of each satellite, with jammed stretches shaded."""
     mechanism, room = rooms.mechanism, rooms.room
     end = mechanism.crank_angle_per_wave
     blocked = rooms.blocked() if room.state == "binds_in_turning" else ()
@@ -247,7 +231,7 @@ def _shaded(theme: Theme, start: float, stop: float) -> Figure:
 
 
 def solve(body: FitRequest) -> Values:
-    """Whether pins and holes go together and turn, and how much room is left, by geometry."""
+    """Fit of pins in holes by geometry: freedom to turn, and the room that is left."""
     (values, accuracy, notices), run_time_us = timed(body.solve_all)
     values["accuracy"] = accuracy_values(accuracy, run_time_us)
     if notices:
@@ -258,7 +242,7 @@ def solve(body: FitRequest) -> Values:
 
 
 def figure(body: FitRequest, theme: Theme = "light") -> Figure:
-    """Room over the crank angle, its least place, and where the parts jam, for Plotly.js."""
+    """Room over the crank angle, its least place, and jammed stretches, for Plotly.js."""
     body.mechanism.refuse_undrawable()
     return fit_figure(body.rooms_to_draw(), theme)
 

@@ -19,11 +19,11 @@ from core.output.mechanism import Members
 from core.output.room import Rooms
 
 ALL_ROUND = math.pi
-"""Lag to either side at which a pin is whose hole does not bound it, rad."""
+"""Lag to either side of a pin that its hole does not bound, rad."""
 
 
 class DiscOut(ResponseModel):
-    """One satellite by itself."""
+    """Fit of one satellite by itself."""
 
     satellite: int = result("Number of the satellite, from 1.", symbol="j")
     least_room_mm: float = result("Its least room over the turn.")
@@ -33,7 +33,7 @@ class DiscOut(ResponseModel):
 
 
 class ElasticOut(ResponseModel):
-    """What rigid pins in elastic contact with their holes take up of a misfit."""
+    """Misfit that rigid pins in elastic contact with their holes take up."""
 
     limit_mm: Maybe[float] = result(
         "Largest approach that a pair takes elastically; absent where the limit of neither "
@@ -52,7 +52,7 @@ class ElasticOut(ResponseModel):
 
 
 class WholeFitOut(FitOut):
-    """How the pins fit into their holes, and what becomes of a misfit."""
+    """Fit of pins in their holes, and the consequence of a misfit."""
 
     largest_hole_radius_mm: Maybe[float] = result(
         "Where holes do not hold their pins: the radius below which they would.",
@@ -118,21 +118,7 @@ class FitPositionOut(ResponseModel):
 
     @classmethod
     def all_values(cls, rooms: Rooms, members: Members, crank_angle: FloatArray) -> list[Values]:
-        """Values at crank angles.
-
-        Parameters
-        ----------
-        rooms : Rooms
-            Pins in their holes.
-        members : Members
-            Which is the output.
-        crank_angle : array, shape (M,)
-            Crank angles, rad.
-
-        Returns
-        -------
-        list of dict, M
-        """
+        """Values of pins in their holes at crank angles, rad, shape (M,)."""
         wave, pins = rooms.mechanism.wave_angle(crank_angle), rooms.mechanism.pins
         found = []
         for angle, room, low, high in zip(
@@ -147,7 +133,7 @@ class FitPositionOut(ResponseModel):
                 "room_mm": from_si("room_mm", room),
                 "pairs": [arcs[start : start + pins] for start in range(0, len(arcs), pins)],
             }
-            if room >= 0:  # the two may cross by rounding
+            if room >= 0:  # rounding may make both ends cross
                 values["window_arcmin"] = sorted(_arc(float(low.max()), float(high.min())))
             found.append(values)
         return found
@@ -162,7 +148,7 @@ def _arc(low: float, high: float) -> list[float]:
 
 
 class FitResponse(AssumingResponse):
-    """Whether the parts go together and turn, and how much room is left."""
+    """Fit of pins in holes, freedom to turn, and the room that is left."""
 
     fit: WholeFitOut = result("How the pins fit into their holes.")
     positions: Maybe[list[FitPositionOut]] = result(

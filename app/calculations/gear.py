@@ -1,4 +1,4 @@
-"""The mesh of a precessional gear as a request gives it: geometry and rollers."""
+"""Mesh of a precessional gear in a request: geometry and rollers."""
 
 import math
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ from core.errors import InvalidInput
 from core.precession.rollers import Roller, RollerByAngle, RollerByLength, wheel_rollers
 
 MAX_ROLLERS = 500
-"""Most rollers of one wheel."""
+"""Largest number of rollers of a wheel."""
 
 Coordinate = Annotated[float, Field(ge=-1e6, le=1e6)]
 
@@ -74,7 +74,7 @@ class WheelFields(RequestModel, group="rollers"):
 
 
 ROLLER_POINTS = 400
-"""Points of a roller, with the nodes of its contact line."""
+"""Number of points of a roller, with the nodes of its contact line."""
 
 
 class GearFields(RequestModel, group="gear"):
@@ -107,11 +107,11 @@ class GearFields(RequestModel, group="gear"):
         }
 
     def points(self, samples: int = 0) -> float:
-        """Points of all contact lines: nodes, or those that are asked if these are more."""
+        """Number of points of all contact lines: nodes, or requested points if more."""
         return float(len(self.positions()) * max(ROLLER_POINTS, samples))
 
     def cost(self) -> float:
-        """Points of the contact lines."""
+        """Number of points of the contact lines."""
         return self.points()
 
     def all_rollers(self) -> Sequence[Roller]:
@@ -124,11 +124,11 @@ class GearFields(RequestModel, group="gear"):
 
     @property
     def by_angle(self) -> bool:
-        """Whether the first line is given by its polar angles."""
+        """True if the first line is given by its polar angles."""
         return isinstance(self.all_rollers()[0], RollerByAngle)
 
     def positions(self) -> list[float]:
-        """Position angles, rad, of all rollers of the wheel, in mesh or not; those of a list."""
+        """Position angles, rad, of all rollers of the wheel, in mesh or not; or those of a list."""
         match self.given:
             case {"wheel": wheel}:
                 total = wheel.rollers_total
@@ -137,7 +137,7 @@ class GearFields(RequestModel, group="gear"):
                 return [to_si("angle_deg", each.position_angle_deg) for each in given["rollers"]]
 
     def about_the_wheel(self, error: InvalidInput) -> InvalidInput:
-        """A refusal of one roller, as one of the wheel where a wheel was given."""
+        """Refusal of one roller as a refusal of the wheel, if a wheel was given."""
         if self.wheel is not None and error.parameter.startswith("rollers["):
             name = error.parameter.rpartition(".")[2]
             return InvalidInput(name, error.value, error.code, **error.params)

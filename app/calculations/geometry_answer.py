@@ -1,4 +1,4 @@
-"""The answer of pins and holes at one crank angle."""
+"""Answer about pins and holes at one crank angle."""
 
 from app.calculations.mechanism import PairOut
 from app.model import AccuracyOut, Maybe, ResponseModel, Values, WarningOut, result
@@ -8,7 +8,7 @@ from core.output.mechanism import PinGeometry
 
 
 class PointOut(ResponseModel):
-    """A pin with its centre."""
+    """Pin with its centre."""
 
     pin: int = result("Number of the pin, from 1.", symbol="n")
     centre_mm: tuple[float, float] = result(

@@ -63,13 +63,7 @@ from core.worked.step import Step
 
 
 def known_name(given: object) -> object:
-    """The name of the table that a name says; which others there are, where it says none.
-
-    Raises
-    ------
-    PydanticCustomError
-        If it says none, or too little.
-    """
+    """Name in the table of materials; an unknown name is refused with similar names."""
     if not isinstance(given, str):
         return given
     plain = plain_name(given)
@@ -94,13 +88,7 @@ def known_name(given: object) -> object:
 
 
 def whole_name(given: object) -> object:
-    """The same of a material that has all that a contact needs.
-
-    Raises
-    ------
-    PydanticCustomError
-        Also where no source has its modulus or its Poisson's ratio: then it is given by values.
-    """
+    """Name in the table of a material with all elastic data; others have to be given by values."""
     name = known_name(given)
     if isinstance(name, str):
         _refuse_missing(MATERIALS[name])
@@ -126,14 +114,14 @@ else:
 
 
 def _values_schema(schema: dict[str, Any], model: type[RequestModel]) -> None:
-    """A material by values has a name, or both that a contact needs."""
+    """JSON schema of a material by values, which needs a name or both elastic constants."""
     request_schema(schema, model)
     needed = (["name"], ["youngs_modulus_GPa", "poissons_ratio"])
     schema["anyOf"] = [{"required": names} for names in needed]
 
 
 class MaterialFields(RequestModel, group="material"):
-    """A material by its values; of one with a name those that are not given are the table's."""
+    """Material by its values; with a name, values not given come from the table."""
 
     model_config = ConfigDict(json_schema_extra=_values_schema)
 
@@ -178,7 +166,7 @@ class MaterialFields(RequestModel, group="material"):
 
     @property
     def base(self) -> TableMaterial:
-        """The material of the table whose values are taken where none are given."""
+        """Material of the table that supplies values that are not given."""
         return MATERIALS.get(self.name or "", NOT_LISTED)
 
     def material(self) -> ElasticMaterial:
@@ -191,17 +179,17 @@ class MaterialFields(RequestModel, group="material"):
 
 
 def material_of(given: str | MaterialFields) -> ElasticMaterial:
-    """Material of a name of the table or of its values."""
+    """Material in SI units, by a name of the table or by values."""
     return MATERIALS[given].material if isinstance(given, str) else given.material()
 
 
 def entry_of(given: str | MaterialFields) -> TableMaterial:
-    """The material of the table that one is, or has values of."""
+    """Entry of the table that a material names."""
     return MATERIALS[given] if isinstance(given, str) else given.base
 
 
 def _kind(given: object) -> str:
-    """Which of the two forms of a material is given, so that errors speak of that one only."""
+    """Given form of a material, so that errors speak of this form only."""
     return "by_name" if isinstance(given, str) else "by_values"
 
 
@@ -247,11 +235,11 @@ distribution_factor = partial(
     help="Factor on the largest force by an uneven share of satellites or pins, wherever that "
     "force goes. Torque, loss and efficiency are those of all forces together.",
 )
-"""Fields that may be left out in some requests, and not in others, or have other limits."""
+"""Fields that are optional or have other limits in some requests."""
 
 
 def of_load_factor(factor: float | None) -> tuple[Notice, ...]:
-    """That a factor on the load takes some of it away, where it does."""
+    """Notice of a load factor below 1, which reduces the load."""
     return (Notice("load_factor_below_one", {"factor": factor}),) if (factor or 1.0) < 1 else ()
 
 
@@ -272,17 +260,17 @@ class ContactFields(RequestModel, group="contact"):
     ASSUMED: ClassVar[tuple[str, ...]] = ("pin_material", "hole_material")
 
     def limits(self) -> list[tuple[str, float]]:
-        """Body and limit of its pressure, Pa, of each body whose limit is known."""
+        """Body and limit of its pressure, Pa, for each body of known limit."""
         bodies = (("pin", self.pin_material), ("hole", self.hole_material))
         limits = present({body: material_of(given).limit for body, given in bodies})
         return [(body, float(limit.pressure)) for body, limit in limits.items()]
 
     def notices(self) -> tuple[Notice, ...]:
-        """Also that the dynamic factor takes some of the force away."""
+        """Notices, also of a dynamic factor below 1."""
         return super().notices() + of_load_factor(self.dynamic_factor)
 
     def material_notices(self) -> tuple[Notice, ...]:
-        """What a name of a material does not say."""
+        """Notices of values that the name of a material leaves open."""
         given = (self.pin_material, self.hole_material)
         cast = (Notice("sand_cast"),) if "bronze_tin" in given else ()
         entries = dict.fromkeys(entry_of(each) for each in given)
@@ -291,8 +279,8 @@ class ContactFields(RequestModel, group="contact"):
 
 
 MAX_FORCE_N = 1e50
-"""More than any peak force: 1e12 N*m at a ratio of 1e9 and 1e-12 mm make 1e36 N, and peaks above
-some 1e12 times that are refused as dead centres."""
+"""Upper bound of any peak force: 1e12 N*m at a ratio of 1e9 and 1e-12 mm make 1e36 N, and peaks
+some 1e12 times larger are refused as dead centres."""
 
 
 class HertzRequest(ContactFields, WorkedFields, group="contact"):
@@ -304,12 +292,12 @@ class HertzRequest(ContactFields, WorkedFields, group="contact"):
     _force_size = field_validator("force_N")(no_dust)
 
     def cost(self) -> float:
-        """Next to nothing: formulas of one contact."""
+        """Nearly 0, as one contact takes a few formulas."""
         return 0.0
 
     @property
     def pressed(self) -> dict[str, Any]:
-        """The contact as the core's arguments."""
+        """Contact as the core's arguments."""
         return {
             "force": self.force_N,
             "contact_length": to_si("contact_length_mm", self.contact_length_mm),
@@ -339,7 +327,7 @@ class HertzRequest(ContactFields, WorkedFields, group="contact"):
 
 
 class LifeOut(ResponseModel):
-    """How a limit of the pressure falls over the life: (N_k/N_L)^m, at most Z_m."""
+    """Fall of the pressure limit over the life: (N_k/N_L)^m, at most Z_m."""
 
     curve: LifeCurve = Field(description="Whose curve, of teeth.")
     loads: float = result(
@@ -352,7 +340,7 @@ class LifeOut(ResponseModel):
 
     @classmethod
     def of(cls, limit: ContactLimit) -> Values | None:
-        """The same of a limit; None where nothing is known of its life."""
+        """Fall of a limit over the life; None if the life is not known."""
         life = if_known(lambda: limit.life)
         if not life:
             return None
@@ -365,7 +353,7 @@ class LifeOut(ResponseModel):
 
 
 class SafetyOut(ResponseModel):
-    """One body, judged by the limit of its own material under the governing pressure."""
+    """One body judged by the limit of its own material under the governing pressure."""
 
     body: Literal["pin", "hole"] = result("The body that is judged.")
     limit_MPa: float = result("Limit of the pressure.", symbol="p_P")
@@ -393,7 +381,7 @@ class SafetyOut(ResponseModel):
 
 @lru_cache(maxsize=256)
 def _judged_by(body: str, limit: ContactLimit) -> Values:
-    """What is said of a body and its limit, whatever the pressure."""
+    """Values of a body and its limit, independent of the pressure."""
     values = {
         "body": body,
         "limit_MPa": from_si("limit_MPa", limit.pressure),
@@ -477,7 +465,7 @@ class HertzResponse(AssumingResponse):
 class PressureCurve:
     """One pressure distribution to draw."""
 
-    name: str  # whose it is, an id of `app.theme.TEXTS`
+    name: str  # name of the body, an id of `app.theme.TEXTS`
     place_mm: FloatArray  # along the arc of the pin
     pressure_MPa: FloatArray  # there
 
@@ -485,12 +473,8 @@ class PressureCurve:
 def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], theme: Theme) -> Figure:
     """Pressure distributions over the arc of the pin, with the limits of the two bodies.
 
-    Parameters
-    ----------
-    curves : list of PressureCurve
-        Hertz, and the conformal contact where it applies.
-    limits_MPa : dict of str to float
-        Limit of the pressure by the name of the body, where it is known.
+    `curves` are Hertz's and, if it applies, the conformal one; `limits_MPa` has known limits by
+    body.
     """
     data = [
         curve(
@@ -537,7 +521,7 @@ def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], them
 
 
 def solve(body: HertzRequest) -> Values:
-    """Hertz stress of pin and hole, its validity, and the conformal pressure where it applies."""
+    """Hertz stress of pin and hole, its validity, and the conformal pressure if it applies."""
     answer = HertzResponse.values(*timed(body.solve))
     notices = body.material_notices()
     if notices:

@@ -1,4 +1,4 @@
-"""Cyclogram and contact force by the ideal forces: what requests say of them, what is answered."""
+"""Cyclogram and contact force by ideal forces: fields of requests and answers."""
 
 import math
 from dataclasses import replace
@@ -44,14 +44,14 @@ from core.output.mechanism import AssemblyAngle, Mechanism, Members, assembly_an
 Range = tuple[float, float]
 
 ANGLE_DIGITS = 16
-"""Digits of a period, or of a range shorter than that, to which angles are rounded: a part of their
-own error."""
+"""Digits of the period, or of a shorter range, to which angles are rounded: below their own
+error."""
 
 _, DEGREE = UNITS["deg"]
 """Size of a degree, rad."""
 
 MAX_DRAWN_PHASES = 2000
-"""Most driving phases that a figure shows."""
+"""Largest number of driving phases in a figure."""
 
 
 ForceSection = Literal["curves", "equal_sharing", "approximation"]
@@ -59,13 +59,13 @@ ForceSection = Literal["curves", "equal_sharing", "approximation"]
 MAX_SAMPLES = 10_001
 
 FORCE_DIGITS = 12
-"""Digits of the largest force of curves: fewer bytes, and still finer than any use."""
+"""Digits of forces in curves, relative to the largest force, which saves bytes."""
 
 MAX_CURVE_VALUES = 1_000_000
 
 
 class RangeFields(RequestModel, group="mechanism"):
-    """How much of the turn the cyclogram shows."""
+    """Range of the turn that the cyclogram shows."""
 
     revolutions: float = quantity(
         "Crank revolutions", default=1.0, step=1, advanced=True, gt=0, le=1e6
@@ -74,38 +74,30 @@ class RangeFields(RequestModel, group="mechanism"):
 
 
 class CyclogramFields(MechanismFields, RangeFields):
-    """A mechanism and the range of its cyclogram."""
+    """Mechanism and the range of its cyclogram."""
 
     def cost(self) -> float:
-        """Points of its pairs and turns."""
+        """Number of points of its pairs and turns."""
         return self.points(revolutions=self.revolutions)
 
     @property
     def driving_phases(self) -> float:
-        """About how often pairs drive in the range, at least once each."""
+        """Approximate number of driving phases in the range, at least one for each pair."""
         return self.pairs * max(1.0, self.revolutions * self.mechanism().waves_per_turn)
 
     def refuse_undrawable(self) -> None:
-        """Refuse a figure of more pairs or driving phases than anyone can tell apart.
-
-        Raises
-        ------
-        InvalidInput
-            If there are.
-        """
+        """Refuse a figure of more pairs or driving phases than anyone can tell apart."""
         super().refuse_undrawable()
         if self.driving_phases > MAX_DRAWN_PHASES:
             most = MAX_DRAWN_PHASES * self.revolutions / self.driving_phases
             raise InvalidInput("revolutions", self.revolutions, "to_be_drawn", limit=most)
 
     def solve(self) -> tuple[Cyclogram, tuple[AssemblyAngle, ...]]:
-        """Cyclogram, and the assembly angles where the numbers of teeth are given."""
+        """Cyclogram, and assembly angles if the numbers of teeth are given."""
         return self.solve_for(self.mechanism())
 
     def solve_for(self, mechanism: Mechanism) -> tuple[Cyclogram, tuple[AssemblyAngle, ...]]:
-        """The same of this mechanism under a torque: of the one whose pairs drive where its pairs
-        carry.
-        """
+        """Cyclogram under a torque: of the mechanism whose driving pairs are those that carry."""
         found = cyclogram(mechanism=mechanism, revolutions=self.revolutions)
         if teeth := self.satellite_teeth:
             return found, assembly_angles(mechanism=mechanism, satellite_teeth=teeth)
@@ -113,7 +105,7 @@ class CyclogramFields(MechanismFields, RangeFields):
 
 
 class DrivingPairOut(PairOut):
-    """When one pair drives."""
+    """Driving phases of one pair."""
 
     driving_deg: list[Range] = result(
         "Ranges of crank angle within a period in which it drives.",
@@ -123,7 +115,7 @@ class DrivingPairOut(PairOut):
 
 
 class CountIntervalOut(ResponseModel):
-    """A range of crank angle with one number of driving pairs."""
+    """Range of the crank angle with one number of driving pairs."""
 
     from_deg: float = result("Where the range begins.", symbol="φ")
     to_deg: float = result("Where it ends.", symbol="φ")
@@ -141,7 +133,7 @@ class AssemblyAngleOut(ResponseModel):
 
 
 class CyclogramResponse(AssumingResponse):
-    """Which pairs drive, when, how many together."""
+    """Pairs that drive, with their phases and numbers."""
 
     working_phase_deg: float = result(
         "Crank angle through which a pair drives at a time.", equation="2018; 2021, eq. 6"
@@ -250,7 +242,7 @@ class TorqueFields(RequestModel, group="load"):
     """Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws."""
 
     def force_given(self, members: Members) -> dict[str, Any]:
-        """The load as the worked steps of the force take it."""
+        """Load as the worked steps of the force take it."""
         return {
             "members": members,
             "output_torque": self.torque(members),
@@ -261,7 +253,7 @@ class TorqueFields(RequestModel, group="load"):
 
     @property
     def _driven_by(self) -> tuple[float, float] | None:
-        """Torque on the crankshaft, N*m, and efficiency, where these are given."""
+        """Torque on the crankshaft, N*m, and efficiency, if they are given."""
         match self.given:
             case {"input_torque_Nm": torque, "efficiency": efficiency}:
                 return torque, efficiency
@@ -285,19 +277,13 @@ class TorqueFields(RequestModel, group="load"):
 
 
 class CurveFields(RequestModel, group="load"):
-    """How finely curves are asked."""
+    """Resolution of curves."""
 
     samples: Whole = quantity("Samples", default=361, step=1, advanced=True, ge=2, le=MAX_SAMPLES)
     """Number of points of each curve."""
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse more samples than the operator allows.
-
-        Raises
-        ------
-        InvalidInput
-            If there are.
-        """
+        """Refuse more samples than the operator allows."""
         if self.samples > settings.max_curve_samples:
             raise InvalidInput(
                 "samples", self.samples, "service_limit", limit=settings.max_curve_samples
@@ -305,13 +291,7 @@ class CurveFields(RequestModel, group="load"):
         super().refuse_beyond(settings)
 
     def samples_of(self, mechanism: Mechanism) -> int:
-        """Points of each curve, where the service sends so many for a mechanism.
-
-        Raises
-        ------
-        InvalidInput
-            If there are more than `MAX_CURVE_VALUES` for all pairs.
-        """
+        """Number of points of each curve; refused above `MAX_CURVE_VALUES` for all pairs."""
         pairs = mechanism.pins * mechanism.satellites
         if self.samples * pairs > MAX_CURVE_VALUES:
             raise InvalidInput(
@@ -321,7 +301,7 @@ class CurveFields(RequestModel, group="load"):
 
 
 class LoadFields(CurveFields, TorqueFields):
-    """Torque, lever and load sharing of the pins, and what is asked of the force."""
+    """Torque, lever and load sharing of the pins, and requested results of the force."""
 
     include: list[ForceSection] = Field(
         default=[], max_length=3, description="Optional results: what is not named is not computed."
@@ -329,11 +309,11 @@ class LoadFields(CurveFields, TorqueFields):
 
     @property
     def curve_samples(self) -> int:
-        """Points of each curve; 0 where none is asked."""
+        """Number of points of each curve; 0 if no curves are requested."""
         return self.samples if "curves" in self.include else 0
 
     def solve_for(self, mechanism: Mechanism, members: Members) -> ContactForce:
-        """Contact force of a mechanism under this load; what is not included is not computed."""
+        """Contact force of a mechanism under this load, as far as it is requested."""
         return contact_force(
             mechanism=mechanism,
             output_torque=self.pin_torque(members),
@@ -361,7 +341,7 @@ class LoadFields(CurveFields, TorqueFields):
     def solve_for_drawing(
         self, mechanism: Mechanism, members: Members
     ) -> tuple[ContactForce, FloatArray]:
-        """Contact force with curves fit to be drawn, and the switching angles, rad."""
+        """Contact force with curves for drawing, and the switching angles, rad."""
         angles, switching = drawing_angles(mechanism=mechanism)
         force = self.model_copy(update={"include": []}).solve_for(mechanism, members)
         curves = force_curves(
@@ -374,7 +354,7 @@ class LoadFields(CurveFields, TorqueFields):
 
 
 def force_of_one(mechanism: MechanismFields, load: LoadFields) -> Values:
-    """The peak force of one satellite alone, which answers say where their number is assumed."""
+    """Peak force of one satellite alone, stated if the number of satellites is assumed."""
     one = mechanism.model_copy(update={"satellites": 1, "crank_spacing_deg": None}).mechanism()
     try:
         found = contact_force(
@@ -407,7 +387,7 @@ class ForceCurvesOut(ResponseModel):
 
 
 class ContactForceResponse(AssumingResponse):
-    """The exact peak of the contact force, and what was asked besides."""
+    """Exact peak of the contact force, and requested results."""
 
     reference_force_N: float = result(
         "Torque over the radius of the pin circle.", symbol="F_0", equation="2018; 2021"

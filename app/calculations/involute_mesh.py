@@ -1,6 +1,4 @@
-"""A satellite of involute teeth in its ring: what a request says of the pair, and what is answered
-of it.
-"""
+"""Involute satellite in its ring: fields of the pair in a request, and its answer."""
 
 from typing import Any, ClassVar, Literal
 
@@ -28,14 +26,15 @@ from core.ring.involute_load import involute_load, involute_loss, pressure_along
 from core.ring.shared_pairs import pairs_that_carry
 
 DRAWN_PLACES = 201
-"""Places of the line of action in the figure."""
+"""Number of places of the line of action in the figure."""
 
 LEAST_DRAWN = 0.02
-"""Least roll angle in the figure, over the largest: at the base circle the pressure has no end."""
+"""Least roll angle in the figure over the largest, as the pressure is infinite at the base
+circle."""
 
 
 class InvoluteRingFields(InvoluteTeethFields, group="gear"):
-    """Involute teeth of satellite and ring, and what their stresses need."""
+    """Involute teeth of satellite and ring, and inputs of their stresses."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
         (("satellite_addendum",), ("satellite_tip_radius_mm",)),
@@ -75,29 +74,19 @@ def solved_pair(
     asked: set[str],
     notices: tuple[Notice, ...] = (),
 ) -> Solved:
-    """Geometry of a pair, and the sections that are asked for.
+    """Geometry of a pair, and the sections that are requested.
 
     Parameters
     ----------
     ring : InvoluteRing
-        What is given of friction and stiffness.
-    pair : InvolutePair
-        The teeth.
+        Ring with friction and stiffness.
     loaded : dict
-        Torque of a satellite, width, materials and factor of the stresses, as arguments of
+        Torque of a satellite, width, materials and load factor, as arguments of
         `core.ring.involute_load.involute_load`.
     output_torque : float
         Torque of all satellites, N*m.
     input_speed : float or None
-        Of the crank against the ring, rad/s.
-    asked : set of str
-        Sections.
-    notices : tuple of Notice
-        Of the pair.
-
-    Returns
-    -------
-    Solved
+        Speed of the crank against the ring, rad/s.
     """
     values: Values = {"kind": "involute", "geometry": InvoluteGeometryOut.values(pair)}
     solved = Solved(values)
@@ -129,7 +118,7 @@ def solved_pair(
 
 
 def pair_notices(pair: InvolutePair) -> tuple[Notice, ...]:
-    """What of the teeth does not mesh."""
+    """Notices of teeth that do not mesh properly."""
     found = []
     if not pair.contact_ratio >= 1:
         found.append(Notice("path_short", {"contact_ratio": pair.contact_ratio}))
@@ -141,19 +130,7 @@ def pair_notices(pair: InvolutePair) -> tuple[Notice, ...]:
 
 
 def drawn_path(*, pair: InvolutePair, loaded: dict[str, Any]) -> DrawnPath:
-    """The pressure of one pair along its path of contact.
-
-    Parameters
-    ----------
-    pair : InvolutePair
-        The teeth.
-    loaded : dict
-        As for `solved_pair`.
-
-    Returns
-    -------
-    DrawnPath
-    """
+    """Pressure of one pair along its path of contact; `loaded` as in `solved_pair`."""
     rolls = {
         "path_start": pair.start_roll,
         "path_end": pair.end_roll,

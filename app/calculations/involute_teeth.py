@@ -19,7 +19,7 @@ from core.ring.involute import HEIGHTS, InvolutePair
 from core.ring.involute_load import InvoluteLoad, RootStress
 
 RING_MATERIAL = "steel_structural"
-"""Of the ring, where it is not given."""
+"""Material of the ring if it is not given."""
 
 
 satellite_shift = partial(
@@ -41,12 +41,12 @@ ring_shift = partial(
     help="In modules, outwards: a positive one makes its spaces wider, its tip and root circles "
     "larger. Where the ring's teeth are counted below 0 it has the other sign.",
 )
-"""Fields that may be left out in some requests, and not in others."""
+"""Fields that are optional in some requests."""
 
 
 class InvoluteTeethFields(RequestModel, group="gear"):
     """Involute teeth as they are made, the satellite by a hob, the ring by a shaper cutter, and
-    what their stresses need, as far as they are given.
+    inputs of their stresses, as far as they are given.
     """
 
     satellite_profile_shift: Maybe[float] = satellite_shift()
@@ -101,7 +101,7 @@ class InvoluteTeethFields(RequestModel, group="gear"):
 
 
 class InvoluteGeometryOut(ResponseModel):
-    """How involute teeth of satellite and ring mesh."""
+    """Mesh of involute teeth of satellite and ring."""
 
     operating_pressure_angle_deg: float = result("Operating pressure angle.", symbol="α_w")
     eccentricity_mm: float = result(
@@ -167,7 +167,7 @@ class InvoluteGeometryOut(ResponseModel):
 
 
 class RootStressOut(ResponseModel):
-    """The root of the satellite's teeth, the force at the tip of one."""
+    """Root of the satellite's teeth under the force at the tip of one tooth."""
 
     root_chord_mm: float = result("Chord of the critical section.", symbol="s_Fn")
     fillet_radius_mm: float = result("Radius of the fillet there.", symbol="ρ_F")
@@ -186,7 +186,7 @@ class RootStressOut(ResponseModel):
 
 
 class InvoluteStressesOut(ResponseModel):
-    """What the torque of a satellite does to its teeth, one pair carrying all."""
+    """Stresses of involute teeth by the torque of a satellite, with one pair carrying all."""
 
     pressure_one_pair_start_MPa: Maybe[float] = result(
         "Largest contact pressure, at the start of the path; where it starts on an involute."
@@ -203,7 +203,7 @@ class InvoluteStressesOut(ResponseModel):
 
     @classmethod
     def values(cls, result: InvoluteLoad, run_time_us: float | None = None, **given: Any) -> Values:
-        """Values of loads, and of a root where it is given."""
+        """Values of loads, and of a root if given."""
         sizes = {
             "pressure_one_pair_start_MPa": result.pressure_start,
             "pressure_one_pair_end_MPa": result.pressure_end,

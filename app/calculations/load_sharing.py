@@ -51,27 +51,28 @@ Section = Literal[
 ]
 
 MAX_TURN_PAIRS = 1000
-"""Most pairs over the turn: thousands of positions are solved, which takes a second."""
+"""Largest number of pairs over the turn, for which thousands of positions are solved in a
+second."""
 
 MAX_POSITIONS = 1000
-"""Most crank angles of one request."""
+"""Largest number of crank angles in a request."""
 
 MAX_FORCES = 100_000
-"""Most forces of positions, and of curves: angles times pairs."""
+"""Largest number of forces of positions and of curves: angles times pairs."""
 
 SHARES = (-1.0, -0.75, -0.5, -0.25, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.25, 0.5, 0.75, 1.0)
-"""Shares of the torque at which the curve of the lag is drawn, and is sent where none are given."""
+"""Shares of the torque at which the lag curve is drawn, and answered if none are given."""
 
 DIRECTIONS = "driving", "reverse"
 
 DRAWN_SAMPLES, DRAWN_IN_SERIES = 361, 121
-"""Crank angles of the figure's curves; of both meshes in series."""
+"""Number of crank angles of the figure's curves; for both meshes in series."""
 
 Torque = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
 
 class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
-    """Mechanism, load and contact as the parts are made, and which results are wanted."""
+    """Mechanism, load and contact as the parts are made, and the results that are wanted."""
 
     crank_angle_deg: list[Angle] = quantity(
         "Crank angles", "φ", default=[0.0], min_length=1, max_length=MAX_POSITIONS
@@ -91,9 +92,7 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
     )
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse what exceeds the operator's limits, what takes too long, and lists of deviations
-        that do not fit the mechanism.
-        """
+        """Refuse inputs beyond the operator's limits or too slow, and lists of other lengths."""
         self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
         pairs = self.mechanism.pairs
@@ -141,24 +140,24 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
 
     @property
     def alternating(self) -> bool:
-        """Whether both directions of the torque are asked."""
+        """True if both directions of the torque are requested."""
         return self.load.torque_direction == "alternating"
 
     def real(self) -> RealMechanism:
-        """The mechanism as it is made, in SI units."""
+        """Mechanism as it is made, in SI units."""
         return self.made(self.deviations.section())
 
     def stage(self, real: RealMechanism) -> RealMechanism | MeshesInSeries:
-        """What the torque is handed on by: the output mechanism, or both meshes."""
+        """Stage that transmits the torque: the output mechanism, or both meshes."""
         return self.in_ring(real) if self.in_series else real
 
     def fit_of(self, real: RealMechanism) -> Fit:
-        """How its pins fit; what makes forces impossible is refused."""
+        """Fit of the pins; a misfit that makes forces impossible is refused."""
         rooms = self.rooms_in_ring(real) if self.in_series else None
         return solvable(real=real, rooms=rooms)
 
     def solve_all(self) -> Solved:
-        """What is asked for."""
+        """Requested results."""
         real = self.real()
         fit = self.fit_of(real)
         notices = fit_notices(self.contact, self.load.pin_circle_radius_mm, fit.rooms)
@@ -173,7 +172,7 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
         return solved
 
     def solve_sections(self, real: RealMechanism, asked: set[Section], solved: Solved) -> None:
-        """The sections that are asked."""
+        """Requested sections of the answer."""
         pressed, stage = "pressure" in asked, self.stage(real)
 
         def pressures(force: tuple[tuple[float, ...], ...]) -> Any:
@@ -238,7 +237,7 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
     def position(
         self, stage: RealMechanism | MeshesInSeries, angle: float
     ) -> tuple[Any, str | None]:
-        """A position; where the torque alternates the worse, and its direction."""
+        """Position; for an alternating torque in the worse direction, with that direction."""
         solve: Any = series_position if self.in_series else loaded_position
         asked: dict[str, Any] = {"real": stage, "crank_angle": angle, "output_torque": self.torque}
         if not self.alternating:
@@ -247,7 +246,7 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
         return found, DIRECTIONS[reverse]
 
     def turn(self, stage: RealMechanism | MeshesInSeries) -> tuple[Any, str | None]:
-        """The turn; where the torque alternates the worse, and the direction of its peak."""
+        """Turn; for an alternating torque in the worse direction, with that direction."""
         share, torque = self.lost_motion_torque_share, self.torque
         ways = (1, -1) if self.alternating else (1,)
         solve: Any = series_over_turn if self.in_series else over_turn
@@ -275,7 +274,7 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
         return stiffness_curve(real=stage, crank_angle=self.crank_angles[0], torques=self.torques)
 
     def solve_for_drawing(self) -> Drawn:
-        """All that the figure shows."""
+        """All values that the figure shows."""
         real = self.real()
         stage, samples = self.stage(real), DRAWN_SAMPLES
         if self.in_series:
@@ -285,7 +284,7 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
         angles, _ = drawing_angles(mechanism=self.built)
         curves, direction = self.curves(stage, float(angles[-1]), samples)
         hardest = [real.hardest(force.tolist()) for force in curves.force.T]
-        # What drives is what the other way brakes.
+        # Pairs that drive in one direction brake in the other.
         turned = math.pi if self.torque < 0 or direction == "reverse" else 0.0
         start = self.built.initial_crank_angle + turned
         ideal = force_curves(

@@ -26,7 +26,7 @@ worse_direction = partial(
 
 
 class PositionOut(ResponseModel):
-    """The mechanism at one crank angle under load."""
+    """Mechanism at one crank angle under load."""
 
     BESIDE = ("pressure_MPa", "ring")
 
@@ -125,7 +125,7 @@ class OverTurnOut(ResponseModel):
 
 
 class RealCurvesOut(ResponseModel):
-    """The mechanism over one turn of the crank, at evenly spaced angles."""
+    """Mechanism over one turn of the crank, at evenly spaced angles."""
 
     crank_angle_deg: list[float] = result("Crank angles.", symbol="φ")
     force_N: list[list[float]] = result("Forces, a list for each pair.", symbol="F_jn")
@@ -151,7 +151,7 @@ class StiffnessCurveOut(ResponseModel):
 
 
 class CarryingPairOut(PairOut):
-    """When one pair carries."""
+    """Carrying phases of one pair."""
 
     loaded_deg: list[Range] = result(
         "Ranges of crank angle in which its force is above zero.", symbol="φ"
@@ -159,8 +159,8 @@ class CarryingPairOut(PairOut):
 
 
 class RealCyclogramOut(ResponseModel):
-    """Which pairs really carry under the torque without the dynamic factor, when, how many
-    together: over the crank revolutions of the mechanism.
+    """Pairs that carry under the torque without the dynamic factor, with phases and numbers, over
+    the crank revolutions of the mechanism.
     """
 
     period_deg: float = result("Crank angle after which the same pairs carry again.")
@@ -198,7 +198,7 @@ class RealCyclogramOut(ResponseModel):
 
 
 class IdealOut(ResponseModel):
-    """The same mechanism without clearance and deviations, in first order."""
+    """Mechanism without clearance and deviations, by ideal forces."""
 
     peak_force_N: float = result(
         "Largest ideal force by the exponent of the contact law, 10/9 for Hertz and Palmgren; that "
@@ -210,7 +210,7 @@ class IdealOut(ResponseModel):
 
 
 class LoadSharingResponse(AssumingResponse):
-    """What is asked of the mechanism as it is made."""
+    """Requested results of the mechanism as it is made."""
 
     positions: Maybe[list[PositionOut]] = result("At the crank angles.")
     over_turn: Maybe[OverTurnOut] = result("Over the turn.")

@@ -10,7 +10,7 @@ from core.output.real_curves import RealCurves, StiffnessCurve
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """What the figure shows, in SI units."""
+    """Values that the figure shows, in SI units."""
 
     curves: RealCurves  # forces and lags over the crank angle
     ideal: FloatArray  # forces without clearance and deviations, as those of the curves
@@ -23,20 +23,8 @@ class Drawn:
 
 
 def load_sharing_figure(shown: Drawn, theme: Theme) -> Figure:
-    """Forces of the pairs with the ideal ones thin behind them, below them lag and play, the
+    """Forces of the pairs with the ideal ones thin behind them; below them lag and play, the
     largest pressure, and the torque over the lag at one crank angle.
-
-    Parameters
-    ----------
-    shown : Drawn
-        What it shows.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
     """
     curves, angle = shown.curves, Amount("%{x:.2f}", "°")
     angles = drawn(from_si("angle_deg", curves.crank_angle))

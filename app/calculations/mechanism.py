@@ -1,5 +1,5 @@
-"""The parallel-crank mechanism as a request gives it: pins, satellites and ratio; pin, hole and
-crank with their clearance, and what follows from what; and how pins fit into their holes.
+"""Parallel-crank mechanism of a request: pins, satellites and ratio; pin, hole and crank with their
+clearance and the sizes that follow; and the fit of pins in holes.
 """
 
 import math
@@ -42,21 +42,21 @@ from core.output.room import Rooms
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, fit_clearance
 
 MAX_PAIRS = 10_000
-"""Most pairs (pins times satellites) of one mechanism."""
+"""Largest number of pairs (pins times satellites) of a mechanism."""
 
 MAX_SATELLITES = 100
-"""Most satellites of one mechanism."""
+"""Largest number of satellites of a mechanism."""
 
 MAX_DRAWN_PAIRS = 240
-"""Most pairs that a figure shows."""
+"""Largest number of pairs in a figure."""
 
 
 PAIR_POINTS = 240
-"""Points of a pair, whose forces are searched and integrated over the turn."""
+"""Number of points of a pair whose forces are searched and integrated over the turn."""
 
 STEEP = 1.25
-"""Points by an exponent below 1 over those by 1: such forces rise steeply where a pair begins to
-drive, and take so much more work, counted in calls."""
+"""Number of points for an exponent below 1 over that for 1, in calls: such forces rise steeply as a
+pair begins to drive."""
 
 
 OF_RINGS = ("ratio", "satellite_teeth", "ring_teeth", "crank_spacing_deg", "crank_angles_deg")
@@ -64,18 +64,7 @@ OF_RINGS = ("ratio", "satellite_teeth", "ring_teeth", "crank_spacing_deg", "cran
 
 
 def count_satellites(fields: Any) -> None:
-    """Let crank angles say the number of satellites where it is not given.
-
-    Parameters
-    ----------
-    fields : RequestModel
-        Satellites and crank angles, one for each.
-
-    Raises
-    ------
-    PydanticCustomError
-        If there is another number of them.
-    """
+    """Set the number of satellites by the crank angles; another given number is refused."""
     angles = fields.crank_angles_deg
     if angles is None:
         return
@@ -154,7 +143,7 @@ class MechanismFields(RequestModel, group="mechanism"):
     @model_validator(mode="before")
     @classmethod
     def _of_one_ratio(cls, data: Any) -> Any:
-        """Refuse a ratio beside teeth of another one, which say it."""
+        """Refuse a ratio that contradicts the numbers of teeth."""
         match data:
             case {"ratio": ratio, "satellite_teeth": int(lobes), "ring_teeth": int(ring)}:
                 if lobes < ring and ratio != lobes / (ring - lobes):
@@ -207,9 +196,9 @@ class MechanismFields(RequestModel, group="mechanism"):
         return self.pins * self.satellites
 
     def points(self, *, exponent: float = 1.0, samples: int = 0, revolutions: float = 1.0) -> float:
-        """Points over the turn: each satellite has a driving set of its own, which meets those of
-        all others. Forces by an exponent above 1 are as much sharper, and are looked at in as many
-        more places, by one below 1 steeper at their ends; a curve with more samples has as many.
+        """Number of points over the turn: each satellite has a driving set, which meets those of
+        all others. Exponents above 1 and curves with more samples need more points in proportion;
+        exponents below 1 are steeper at the ends.
         """
         sharp = STEEP if 0 < exponent < 1 else max(1.0, exponent)
         of_each = max(PAIR_POINTS * sharp, samples) * max(1.0, revolutions)
@@ -217,7 +206,7 @@ class MechanismFields(RequestModel, group="mechanism"):
         return of_each * self.pins * self.satellites**2 * teeth
 
     def cyclogram_given(self) -> dict[str, Any]:
-        """The mechanism as the worked steps of the cyclogram take it."""
+        """Mechanism as the worked steps of the cyclogram take it."""
         return {
             "mechanism": self.mechanism(),
             "teeth": self.teeth,
@@ -225,17 +214,11 @@ class MechanismFields(RequestModel, group="mechanism"):
         }
 
     def most_pins(self, pairs: int) -> dict[str, int]:
-        """Most pins that so many pairs allow, for a refusal."""
+        """Largest number of pins that a limit of pairs allows, for a refusal."""
         return {"limit": pairs // self.satellites, "satellites": self.satellites}
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse more pairs than the operator allows.
-
-        Raises
-        ------
-        InvalidInput
-            If there are.
-        """
+        """Refuse more pairs than the operator allows."""
         if self.pairs > settings.max_pairs:
             raise InvalidInput(
                 "pins", self.pins, "too_many_pairs", **self.most_pins(settings.max_pairs)
@@ -243,13 +226,7 @@ class MechanismFields(RequestModel, group="mechanism"):
         super().refuse_beyond(settings)
 
     def refuse_undrawable(self) -> None:
-        """Refuse a figure of more pairs than anyone can tell apart.
-
-        Raises
-        ------
-        InvalidInput
-            If there are more than `MAX_DRAWN_PAIRS`.
-        """
+        """Refuse a figure of more than `MAX_DRAWN_PAIRS` pairs."""
         if self.pins * self.satellites > MAX_DRAWN_PAIRS:
             raise InvalidInput(
                 "pins", self.pins, "too_many_pairs", **self.most_pins(MAX_DRAWN_PAIRS)
@@ -257,7 +234,7 @@ class MechanismFields(RequestModel, group="mechanism"):
 
     @property
     def teeth(self) -> tuple[int, int] | None:
-        """Teeth of a satellite and of the ring, where they are given."""
+        """Teeth of a satellite and of the ring, if they are given."""
         match self.given:
             case {"satellite_teeth": satellite, "ring_teeth": ring}:
                 return satellite, ring
@@ -265,25 +242,19 @@ class MechanismFields(RequestModel, group="mechanism"):
 
     @property
     def teeth_difference(self) -> int | None:
-        """Teeth of the ring less those of a satellite, where they are given."""
+        """Teeth of the ring less those of a satellite, if they are given."""
         match self.given:
             case {"satellite_teeth": satellite, "ring_teeth": ring}:
                 return int(ring - satellite)
         return None
 
     def notices(self) -> tuple[Notice, ...]:
-        """A ratio with the sign of the output."""
+        """Notice of a ratio with the sign of the output."""
         signed = (self.ratio or 0) < 0
         return (Notice("ratio_sign", {"ratio": self.ratio_given()}),) if signed else ()
 
     def ratio_given(self) -> float:
-        """Ratio u, as such, by that of the ring or by the numbers of teeth; infinite of a coupling.
-
-        Raises
-        ------
-        InvalidInput
-            If no ratio has such teeth.
-        """
+        """Ratio u, given directly, by the ring or by teeth; infinite for a coupling."""
         match self.given:
             case {"ratio": ratio}:
                 return float(abs(ratio))
@@ -295,7 +266,7 @@ class MechanismFields(RequestModel, group="mechanism"):
 
     @cached_property
     def in_si(self) -> MechanismSection:
-        """The same in SI units."""
+        """Mechanism in SI units."""
         angles = to_si("crank_angles_deg", self.crank_angles_deg)
         return MechanismSection(
             pins=self.pins,
@@ -309,7 +280,7 @@ class MechanismFields(RequestModel, group="mechanism"):
         )
 
     def section(self, _: Any) -> MechanismSection:
-        """The same in SI units."""
+        """Section of the design in SI units."""
         return self.in_si
 
     def mechanism(self) -> Mechanism:
@@ -323,7 +294,7 @@ class MechanismFields(RequestModel, group="mechanism"):
 
 
 class PairOut(ResponseModel):
-    """A pair of hole and pin by number."""
+    """Pair of hole and pin by number."""
 
     satellite: int = result("Number of the satellite, from 1.", symbol="j")
     pin: int = result("Number of the pin, from 1.", symbol="n")
@@ -332,13 +303,13 @@ class PairOut(ResponseModel):
 Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
 
 LEAST_CLEARANCE = 1e-6
-"""Least clearance and interference beside none, mm: nobody makes or measures less."""
+"""Least clearance or interference other than 0, mm, as none smaller is made or measured."""
 
 SAYING_CLEARANCE = ("hole_clearance_mm", "fit", "hole_radius_mm")
-"""What says how large it is, the first that is given."""
+"""Fields that state the clearance; the first given one counts."""
 
 RADII = ("pin_radius_mm", "eccentricity_mm", "stated_clearance_mm")
-"""What the radius of the hole is the sum of."""
+"""Sizes whose sum is the radius of the hole."""
 
 
 def class_pattern(of_pins: bool) -> str:
@@ -348,14 +319,14 @@ def class_pattern(of_pins: bool) -> str:
 
 
 USUAL_FITS = ["H7/g6", "H7/h6", "H7/f7", "H8/h7", "H8/f7", "H8/f8", "H9/f9"]
-"""What the form offers."""
+"""Fits that the form offers."""
 
 FIT = f"^{class_pattern(False)}/{class_pattern(True)}$"
 
 
 class PinContactFields(ContactFields, group="contact"):
-    """Pin, hole, crank and clearance: of hole radius, eccentricity and clearance any two say the
-    third.
+    """Pin, hole, crank and clearance. Any two of hole radius, eccentricity and clearance determine
+    the third.
     """
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = (
@@ -406,7 +377,7 @@ class PinContactFields(ContactFields, group="contact"):
         return self
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Materials of pins and holes, where there are any; the eccentricity of a hole alone."""
+        """Assumed materials of pins and holes, and the eccentricity of a hole alone."""
         if self.pin_radius_mm is None:
             return
         yield from super().assumed()
@@ -414,14 +385,12 @@ class PinContactFields(ContactFields, group="contact"):
             yield ("eccentricity_mm",), float(self._sum("hole_radius_mm") - self._sum(*RADII[:1]))
 
     def _sum(self, *names: str) -> Decimal:
-        """Sum of sizes, of what is not given none, in decimals as they were typed: no digit is
-        lost.
-        """
+        """Sum of the given sizes, in decimals as they were typed, without loss of digits."""
         return sum((Decimal(repr(getattr(self, name) or 0.0)) for name in names), Decimal())
 
     @cached_property
     def stated_clearance_mm(self) -> float | None:
-        """Radial clearance as it is given, or by the fit."""
+        """Radial clearance as given, or by the fit."""
         if self.fit is None:
             return self.hole_clearance_mm
         hole, pin = (float(2 * self._sum(*names)) for names in (RADII[:2], RADII[:1]))
@@ -430,7 +399,7 @@ class PinContactFields(ContactFields, group="contact"):
 
     @property
     def clearance_unknown(self) -> bool:
-        """Whether pin, hole and eccentricity are given, and nothing is known of their clearance."""
+        """True if pin, hole and eccentricity are given, but the clearance is not known."""
         return self._sized and not (self.in_si.clearance_stated or self.clearance_mm())
 
     @property
@@ -438,7 +407,7 @@ class PinContactFields(ContactFields, group="contact"):
         return self.given.keys() >= {"pin_radius_mm", "eccentricity_mm"}
 
     def notices(self) -> tuple[Notice, ...]:
-        """Also that parts without clearance are perfect ones."""
+        """Notices, also of parts without clearance, which are taken as perfect."""
         perfect = self._sized and not self.clearance_mm()
         return super().notices() + ((Notice("perfect_parts"),) if perfect else ())
 
@@ -449,7 +418,7 @@ class PinContactFields(ContactFields, group="contact"):
         return float(self._sum(*RADII)) if given is None else given
 
     def clearance_mm(self) -> float:
-        """Radial clearance: given, or by the radii; none where no two radii say it."""
+        """Radial clearance: given, or by the radii; None if they do not determine it."""
         if self.stated_clearance_mm is not None:
             return self.stated_clearance_mm
         if not self.given.keys() >= {"hole_radius_mm", "eccentricity_mm"}:
@@ -459,13 +428,13 @@ class PinContactFields(ContactFields, group="contact"):
 
     @property
     def surface(self) -> dict[str, Any]:
-        """What pins have where they do not say it: diameter, m, and material."""
+        """Diameter, m, and material that pins take if they do not state them."""
         diameter = 2 * to_si("radius_mm", self.pin_radius_mm)
         return {"diameter": diameter, "material": self.pin_material}
 
     @cached_property
     def in_si(self) -> Contact:
-        """The same in SI units."""
+        """Contact in SI units."""
         return Contact(
             contact_length=to_si("contact_length_mm", self.contact_length_mm),
             pin_radius=to_si("pin_radius_mm", self.pin_radius_mm),
@@ -481,11 +450,11 @@ class PinContactFields(ContactFields, group="contact"):
         )
 
     def section(self, _: Any) -> Contact:
-        """The same in SI units."""
+        """Section of the design in SI units."""
         return self.in_si
 
     def sizes_on(self, pin_circle_radius_mm: float) -> dict[str, Any]:
-        """Sizes of pins and holes on their circle in SI units, None for what is not given."""
+        """Sizes of pins and holes on their circle in SI units; None for those not given."""
         return {
             "pin_radius": to_si("pin_radius_mm", self.pin_radius_mm),
             "hole_radius": to_si("hole_radius_mm", self.hole_mm),
@@ -495,11 +464,11 @@ class PinContactFields(ContactFields, group="contact"):
 
 
 TOUCHING = ("pin_radius_mm", "contact_length_mm")
-"""What pins have to have where their holes are given."""
+"""Fields that pins need if their holes are given."""
 
 
 class CrankContactFields(PinContactFields, group="contact"):
-    """The crank; pin and hole where the forces of real pins and holes are wanted."""
+    """Crank, with pin and hole if forces of real pins and holes are wanted."""
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = tuple(
         Rule(name, "needed_beside", hole)
@@ -513,7 +482,7 @@ class CrankContactFields(PinContactFields, group="contact"):
 
 
 class BindingOut(PairOut):
-    """A pair that limits the room."""
+    """Pair that limits the room."""
 
     side: Literal["driving", "reverse", "radial"] = result(
         "In which sense of the output it holds; radial where in none."
@@ -521,7 +490,7 @@ class BindingOut(PairOut):
 
 
 class FitOut(ResponseModel):
-    """How the pins fit into their holes by geometry, before any force."""
+    """Fit of pins in their holes by geometry, before any force."""
 
     state: Literal["fits", "binds_in_turning", "does_not_fit", "no_bound"] = result(
         "Whether there is room at all crank angles, at some, or at none; no_bound where the holes "

@@ -1,6 +1,4 @@
-"""Crank, pins and ring in answers: their speeds, torques and powers, and what is said of the output
-by its angles, torques and stiffness.
-"""
+"""Crank, pins and ring in answers: speeds, torques, powers, and values as the output has them."""
 
 from typing import Any
 
@@ -17,15 +15,16 @@ SPEEDS = {
 }
 
 TORQUES = ("torque_Nm", "satellite_torque_Nm")
-"""Torques of the output; that of the crank is the same whichever is the output."""
+"""Torques of the output; the crank's torque does not depend on the choice of output."""
 
 
 class MembersOut(ResponseModel):
-    """Crank, pins and ring under the torque in its driving sense, without losses. All speeds and
-    torques are positive in the sense of the crank, torques on a member from outside; a power is
-    negative where it leaves. Speeds and powers are absent where none is given.
+    """Crank, pins and ring under the torque in its driving sense, without losses.
 
-    Of a coupling the line of centres stands for the crank, the disc with the holes for the ring.
+    Speeds and torques are positive in the sense of the crank; torques act on a member from outside;
+    a power is negative if it leaves. Speeds and powers are absent if no speed is given. In a
+    coupling the line of centres takes the place of the crank, and the disc with the holes that of
+    the ring.
     """
 
     BESIDE = ("output", *SPEEDS)
@@ -76,19 +75,7 @@ class MembersOut(ResponseModel):
 
 
 def factor_at_output(name: str, members: Members) -> float:
-    """What a quantity of the pins is multiplied by to be that of the output.
-
-    Parameters
-    ----------
-    name : str
-        API name of the quantity, which ends in its unit.
-    members : Members
-        Which is the output.
-
-    Returns
-    -------
-    float
-    """
+    """Factor that converts a quantity of the pins, by its API name, to the output."""
     unit = suffix(name)
     if unit == "arcmin":
         return float(members.angle_at_output(1.0))
@@ -98,19 +85,7 @@ def factor_at_output(name: str, members: Members) -> float:
 
 
 def at_output(values: Values, members: Members) -> Values:
-    """Values of an answer with angles, torques and stiffness as the output has them.
-
-    Parameters
-    ----------
-    values : dict
-        What was calculated of the satellites against the pins, by API names.
-    members : Members
-        Which is the output.
-
-    Returns
-    -------
-    dict
-    """
+    """Values of an answer with angles, torques and stiffness as the output has them."""
     if members.pin_share == 1:
         return values
     return {name: _times(value, factor_at_output(name, members)) for name, value in values.items()}

@@ -71,7 +71,7 @@ class MeshFields(GearFields, group="load"):
 
 
 class MeshingLoadRequest(MeshFields, WorkedFields):
-    """A mesh and its torque, and whether its load is worked."""
+    """Mesh and its torque, with optional worked steps."""
 
     def steps(self) -> list[Step]:
         """Worked steps of the load."""
@@ -100,13 +100,7 @@ class MeshingLoadResponse(WorkedResponse):
 def meshing_load_figure(
     curves: Sequence[tuple[float, FloatArray, FloatArray]], theme: Theme
 ) -> Figure:
-    """Line load of every roller along the axis.
-
-    Parameters
-    ----------
-    curves : sequence of (float, array, array)
-        Position angle, rad, places, m, and load there, N/m, of each roller.
-    """
+    """Line load of every roller along the axis; `curves` as in `MeshFields.solve_curves`."""
     data = []
     for index, (angle, z, load) in enumerate(curves):
         name = text("roller_angle", angle=Amount(from_si("angle_deg", angle), "°"))

@@ -1,4 +1,4 @@
-"""Bearings by name: what of one is not typed, the table of bearings says."""
+"""Bearings by name: values that are not given come from the table of bearings."""
 
 from collections.abc import Iterator
 from functools import cached_property, partial
@@ -22,7 +22,7 @@ bearing_name = partial(
 
 
 class NamedBearingFields(RequestModel):
-    """A bearing by its name, by values, or by both: a value that is typed counts."""
+    """Bearing by its name, by values, or by both; a given value replaces that of the table."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("kind",), ("name",), ("kind", "name")),)
 
@@ -35,12 +35,12 @@ class NamedBearingFields(RequestModel):
 
     @cached_property
     def named(self) -> NamedBearing | None:
-        """The bearing that its name says."""
+        """Bearing of the table."""
         return named_bearing(self.given.get("name", ""))
 
     @cached_property
     def filled(self) -> dict[str, Any]:
-        """Fields that the name says, as they are not typed."""
+        """Fields that come from the table."""
         if not self.named:
             return {}
         said = {
@@ -51,29 +51,16 @@ class NamedBearingFields(RequestModel):
         return present(said)
 
     def said(self, named: NamedBearing, quantity: str) -> Any:
-        """What a bearing of the table says of a quantity, in SI units.
-
-        Parameters
-        ----------
-        named : NamedBearing
-            The bearing.
-        quantity : str
-            Its name in core.
-
-        Returns
-        -------
-        object or None
-            None where it says nothing of it.
-        """
+        """Value of a quantity, by its core name, in the table, SI; None if there is none."""
         return getattr(named, quantity, None)
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Also what the name says."""
+        """Assumed values, with those of the table."""
         yield from super().assumed()
         yield from (((field,), value) for field, value in self.filled.items())
 
     def to_core(self) -> dict[str, Any]:
-        """The given fields as the core's arguments, with what the name says instead of it."""
+        """Given fields as the core's arguments, with values of the table in place of the name."""
         own = RequestModel.to_core(self.model_copy(update=self.filled))
         own.pop("name", None)
         return own

@@ -77,12 +77,12 @@ class FrictionFields(RequestModel, group="friction"):
     _coefficient_size = field_validator("coefficient")(no_dust)
 
     def section(self, _: Any) -> Friction:
-        """The same in SI units."""
+        """Friction in SI units."""
         return Friction(**self.to_core())
 
 
 class WornFields(FrictionFields):
-    """The same where a rate of wear needs the time."""
+    """Friction and wear of pin and hole, with the time that a wear rate needs."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("wear_rate_mm3_per_Nm", "life_h"), ()),)
 
@@ -103,12 +103,12 @@ class OutputEfficiencyRequest(CurveFields, DesignFields):
     )
 
     def cost(self) -> float:
-        """Points of the forces, or of the curves if these are more."""
+        """Number of points of the forces, or of the curves if more."""
         samples = self.samples if "curves" in self.include else 0
         return max(super().cost(), self.mechanism.points(samples=samples))
 
     def solve(self) -> PinLosses:
-        """Losses, and how pins and holes fit."""
+        """Losses, with the fit of pins in holes."""
         return self.with_fit(self.results.losses.pins)
 
     def steps(self) -> list[Step]:
@@ -116,7 +116,7 @@ class OutputEfficiencyRequest(CurveFields, DesignFields):
         return loss_steps(self.results)
 
     def solve_all(self) -> tuple[PinLosses, LossCurves | None]:
-        """Losses, and their curves over a turn where they are asked."""
+        """Losses, with curves over a turn on request."""
         losses = self.solve()
         if "curves" not in self.include:
             return losses, None
@@ -127,14 +127,14 @@ class OutputEfficiencyRequest(CurveFields, DesignFields):
         return design_losses(results=self.results, losses=losses, crank_angle=crank_angle)
 
     def solve_for_drawing(self) -> tuple[PinLosses, LossCurves, FloatArray]:
-        """Losses, curves fit to be drawn, and the switching angles, rad."""
+        """Losses, curves for drawing, and the switching angles, rad."""
         angles, switching = self.drawn_angles()
         losses = self.solve()
         return losses, self.curves(losses, angles), switching
 
 
 def result(title: str, symbol: str, meaning: str, **default: Any) -> Any:
-    """A field of the answer: its name, symbol, meaning and equation."""
+    """Field of the answer by its name, symbol, meaning and equation."""
     return Field(
         title=title, description=meaning, json_schema_extra={"x-symbol": symbol}, **default
     )
@@ -220,24 +220,15 @@ class OutputEfficiencyResponse(AssumingResponse):
 
 
 CLEAR = (0, 1)
-"""Where the values of the means stand, in parts of each plot's height, clear of the curves: the
-loss never comes near 0, and the efficiency fills its plot.
-"""
+"""Places of the values of the means in each plot's height, clear of the curves: the loss never
+comes near 0, and the efficiency fills its plot."""
 
 
 def loss_figure(
     losses: PinLosses, curves: LossCurves, switching_deg: FloatArray, theme: Theme
 ) -> Figure:
-    """Loss over the turn above, efficiency below, each with its mean; switching angles thin.
-
-    Parameters
-    ----------
-    losses : PinLosses
-        The means.
-    curves : LossCurves
-        Loss and efficiency over the turn.
-    switching_deg : array
-        Crank angles at which a pair starts or stops driving, degrees.
+    """Loss over the turn above, efficiency below, each with its mean and switching angles
+    (degrees).
     """
     angles = from_si("crank_angle_deg", curves.crank_angle)
     end = float(angles[-1])

@@ -1,4 +1,4 @@
-"""The pin as a section of a design: beam and material."""
+"""Pin as a section of a design: beam and material."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -18,13 +18,11 @@ from core.output.pin_bolt import PinBolt, bolt_preload
 from core.output.tie_ring import RingJoint
 
 BOLT_MATERIAL = "steel_bolt"
-"""Material of a bolt where none is given."""
+"""Material of a bolt if none is given."""
 
 
 def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
-    """Material of a pin with its yield strength, and what its strength is judged by, as
-    `core.design.sections.DesignPin` names it.
-    """
+    """Material of a pin and its strengths, by the names of `core.design.sections.DesignPin`."""
     entry, material = entry_of(given), material_of(given)
     tensile = None if isinstance(given, str) else given.tensile_strength_MPa
     typed = tensile or (None if isinstance(given, str) else given.yield_strength_MPa)
@@ -46,7 +44,7 @@ def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
 
 
 class PinBoltFields(PartFields, group="pin"):
-    """A bolt through the pin, which is its spacer then."""
+    """Bolt through the pin, which is a spacer then."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("preload_N",), ("tightening_torque_Nm",), ()),)
 
@@ -68,13 +66,13 @@ class PinBoltFields(PartFields, group="pin"):
     """A name of the table of materials, or values; steel of class 8.8 where not given."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Also that of the bolt."""
+        """Assumed values, with the material of the bolt."""
         yield from super().assumed()
         if self.bolt_material is None:
             yield ("bolt_material",), BOLT_MATERIAL
 
     def notices(self) -> tuple[Notice, ...]:
-        """That the preload is estimated from a torque."""
+        """Notice of a preload that is estimated from a tightening torque."""
         if self.tightening_torque_Nm is None:
             return ()
         return (Notice("nut_factor", {"preload": self.section().preload}),)
@@ -100,7 +98,7 @@ pin_places = partial(
 
 
 class HeldPinFields(RequestModel, group="pin"):
-    """How the pins are held, and where the satellites load them."""
+    """Supports of the pins, and places where the satellites load them."""
 
     KIND: ClassVar[str] = "support"
 

@@ -1,4 +1,4 @@
-"""Rolling bearings as rollers on the pins, as a section of a design: its fields."""
+"""Rolling bearings as rollers on the pins: fields of a section of a design."""
 
 from typing import Any, ClassVar
 
@@ -59,16 +59,16 @@ class RollersFields(NamedBearingFields, group="rollers"):
     """Of the catalogue; without it the speed is not judged."""
 
     def said(self, named: NamedBearing, quantity: str) -> Any:
-        """The kind by the rolling elements."""
+        """Kind of bearing by its rolling elements."""
         if quantity == "kind":
             return "ball" if named.kind == "ball" else "cylindrical"
         return super().said(named, quantity)
 
     @property
     def surface(self) -> dict[str, Any]:
-        """What pins have where they do not say it: their diameter, m, which is the bore."""
+        """Diameter that pins take if they do not state it, m: the bore of the rollers."""
         return {"diameter": self.to_core()["bore_diameter"]}
 
     def section(self, _: Any) -> Rollers:
-        """The same in SI units."""
+        """Rollers in SI units."""
         return Rollers(**self.to_core())

@@ -1,4 +1,4 @@
-"""Rolling bearings as rollers on the pins: their section of the answer."""
+"""Rolling bearings as rollers on the pins: section of the answer."""
 
 from typing import Any
 
@@ -8,7 +8,7 @@ from core.design.results import RollersOnPins
 
 
 class RollersOut(ResponseModel):
-    """The rollers on the pins, of which that is said that is loaded most."""
+    """Rollers on the pins, by the roller with the largest load."""
 
     forces: ForcesUsed = forces_used()
     speed_rpm: Maybe[float] = result(

@@ -41,17 +41,17 @@ from core.worked.pins import strength_steps
 from core.worked.step import Step
 
 ALONE = ("diameter_mm", "contact_length_mm", "material")
-"""What a pin has to say where there is no contact that does."""
+"""Fields that a pin needs if there is no contact."""
 
 TOUCHING = ("contact_law", "deviations", "crank_support", "satellite_coupling")
-"""Sections that say something of a contact."""
+"""Sections that concern a contact."""
 
 BOUNDS: tuple[Support, ...] = ("supported", "fixed")
-"""Supports between which the truth of a cage lies."""
+"""Supports between which the true support of a cage lies."""
 
 
 class PinStrengthRequest(DesignFields):
-    """Mechanism, load, pin and what its fatigue is judged by; with the contact the forces follow
+    """Mechanism, load, pin and the basis of its fatigue strength; with a contact the forces follow
     from it too.
     """
 
@@ -84,24 +84,24 @@ class PinStrengthRequest(DesignFields):
 
     @property
     def left_out(self) -> dict[str, None]:
-        """What is not asked, as an answer says it."""
+        """Subjects that are not requested, as an answer states them."""
         return {} if "deflection" in self.include else {"deflection": None}
 
     def solve_held(self, support: Support) -> PinStrength:
-        """Strength of the pin in other supports, under the forces that these make."""
+        """Strength of the pin in other supports, under the forces with these supports."""
         held = Results(changed(self.design, {"pin.support": support}), equal=True)
         return held.pin_strength
 
     def bounds(self) -> Iterator[Values]:
-        """Strength of the pin in the supports between which the truth of a cage lies."""
+        """Strength of the pin in the two supports that bound the true support of a cage."""
         for support in BOUNDS:
             found = timed(partial(self.solve_held, support))
             yield SupportBoundOut.values(*found, support=support, **self.left_out)
 
 
 class PinFatigueOut(ResponseModel):
-    """The worst stress cycle of a pin; its direction and stresses are good to 1e-4, as the safety
-    hardly changes about them.
+    """Worst stress cycle of a pin. Direction and stresses are accurate to 1e-4, as the safety is
+    nearly constant around them.
     """
 
     direction_deg: Maybe[float] = result(
@@ -133,7 +133,7 @@ class PinFatigueOut(ResponseModel):
 
 
 class PinDeflectionOut(ResponseModel):
-    """Deflection and slope in the middle of satellites, each where it is largest."""
+    """Largest deflection and slope in the middle of satellites."""
 
     satellite: int = result("Number of the satellite where it deflects most, from 1.")
     deflection_mm: float = result("Largest deflection over the turn.", symbol="w")
@@ -146,8 +146,8 @@ class PinDeflectionOut(ResponseModel):
 
 
 class TieRingOut(ResponseModel):
-    """What a tie ring bears and how it moves over the turn, each where it is largest; the strength
-    of the joint is not judged.
+    """Largest loads and movements of a tie ring over the turn; the strength of the joint is not
+    judged.
     """
 
     peak_force_N: float = result("Largest force of the ring on a pin.", symbol="X")
@@ -159,7 +159,7 @@ class TieRingOut(ResponseModel):
 
 
 class BoltOut(ResponseModel):
-    """A bolt through a spacer under the largest loads of the root, as the spacer carries them."""
+    """Bolt through a spacer under the largest loads of the root, as the spacer carries them."""
 
     holds: bool = result(
         "Whether the preload holds the spacer, which bends then; else the bolt alone is the pin."
@@ -212,7 +212,7 @@ class PinStrengthOut(ResponseModel):
 
 
 class SupportBoundOut(PinStrengthOut):
-    """The same pin in one of the supports between which the truth of a cage lies."""
+    """Pin in one of the supports that bound the true support of a cage."""
 
     support: Support = result("At both ends free to tilt (supported), or built in (fixed).")
 
@@ -231,20 +231,7 @@ class PinStrengthResponse(PinStrengthOut, AssumingResponse):
 
 
 def strength_figure(found: PinStrength, theme: Theme) -> Figure:
-    """The moment's locus with the worst direction, and the stress over the turn.
-
-    Parameters
-    ----------
-    found : PinStrength
-        With its locus.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
-    """
+    """Locus of the moment with the worst direction, and the stress over the turn."""
     locus = found.locus
     assert locus is not None
     angles = from_si("crank_angle_deg", locus.crank_angle)

@@ -1,4 +1,4 @@
-"""A mechanism, its load and its contact as the parts are made: what its calculations share."""
+"""Mechanism, load and contact as the parts are made: fields shared by calculations."""
 
 from functools import cached_property
 from typing import Self
@@ -25,10 +25,10 @@ from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations
 
 TIMES_AS_LONG, TIED_AS_LONG = 4, 10
-"""How many times as long a position takes whose satellites give, or whose pins a tie ring joins."""
+"""Factors on the time of a position with elastic satellites, and with pins joined by a tie ring."""
 
 MOST_TIED = 100
-"""Most pairs of pins that a tie ring joins: all of them give under the force on each."""
+"""Largest number of pairs with a tie ring, as all pins deflect under the force on each."""
 
 
 LEFT_OUT = (
@@ -39,11 +39,11 @@ LEFT_OUT = (
     "misalignment",
     "shaft_bearings",
 )
-"""What the model leaves out."""
+"""Effects that the model leaves out."""
 
 
 class RealDesignFields(GivingFields, group="contact_law"):
-    """Mechanism, load, contact, law of contact, pins, and what the satellites give."""
+    """Mechanism, load, contact, contact law, pins, and elasticity of the satellites."""
 
     mechanism: MechanismFields
     load: RealLoadFields
@@ -70,7 +70,7 @@ class RealDesignFields(GivingFields, group="contact_law"):
 
     @property
     def times_as_long(self) -> int:
-        """How many times as long as of rigid satellites a position takes."""
+        """Time to solve a position over the time with rigid satellites."""
         if self.tied:
             return TIED_AS_LONG
         return TIMES_AS_LONG if self.support.gives else 1
@@ -84,7 +84,7 @@ class RealDesignFields(GivingFields, group="contact_law"):
 
     @cached_property
     def built(self) -> Mechanism:
-        """The mechanism, built once."""
+        """Mechanism, built once."""
         return self.mechanism.mechanism()
 
     @cached_property
@@ -98,7 +98,7 @@ class RealDesignFields(GivingFields, group="contact_law"):
         return self.load.signed_torque(self.load.pin_torque(self.members))
 
     def made(self, deviations: Deviations) -> RealMechanism:
-        """The mechanism as it is made, in SI units."""
+        """Mechanism as it is made, in SI units."""
         sizes, play = self.contact.sizes(), 0.0
         pin = RIGID_PINS if self.pin is None else self.pin.held(*self.around_pins)
         if self.rollers is not None:

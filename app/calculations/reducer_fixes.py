@@ -1,4 +1,4 @@
-"""Fixes of a reducer: other sizes, and other materials and fits, which are chosen by name."""
+"""Fixes of a reducer: other sizes, and other materials and fits by name."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -20,21 +20,7 @@ FITS = ("H6/h5", "H6/g5", "H7/h6", "H7/g6", "H7/f7", "H8/f7", "H8/f8", "H9/f9")
 
 
 def fixes_of(request: Any, codes: list[str], current: Verdict) -> list[Fix]:
-    """Fixes of checks of a reducer, the best first.
-
-    Parameters
-    ----------
-    request : CrankPlanetaryRequest
-        The reducer.
-    codes : list of str
-        The checks to be cured.
-    current : Verdict
-        Its checks.
-
-    Returns
-    -------
-    list of Fix
-    """
+    """Fixes of the checks `codes` of a reducer, the best first."""
     sizes = crank_fixes(results=request.results, codes=codes, current=current)
     chosen = (
         _chosen(request, current[code], variable, current)
@@ -46,15 +32,13 @@ def fixes_of(request: Any, codes: list[str], current: Verdict) -> list[Fix]:
 
 
 def reposted(request: Any, sets: dict[str, Any]) -> Any:
-    """The request with what a fix sets, as who reposts it sends it."""
+    """Request with the values of a fix, as a client would send it."""
     document = request.model_dump(mode="json", by_alias=True, exclude_unset=True)
     return type(request).model_validate(with_values(document, sets))
 
 
 def _chosen(request: Any, check: Check, variable: str, current: Verdict) -> Fix | None:
-    """The first of the other names of an input that cures a check: the weakest material, or the fit
-    of the nearest clearance.
-    """
+    """First other name of an input that cures a check: the weakest material or the nearest fit."""
     section, name = variable.split(".")
     before = getattr(request.contact, name, None)
     if not isinstance(before, str):  # given by values, or not at all
@@ -63,7 +47,7 @@ def _chosen(request: Any, check: Check, variable: str, current: Verdict) -> Fix 
     for after in others:
         try:
             other = reposted(request, {f"/{section}/{name}": after})
-        except ValidationError:  # the discs are said to be of the present one elsewhere too
+        except ValidationError:  # another field states the present material of the discs too
             continue
         try:
             if not beyond(aimed(design=other.design, check=check)) >= 0:
@@ -79,7 +63,7 @@ def _chosen(request: Any, check: Check, variable: str, current: Verdict) -> Fix 
 
 
 def _materials(before: str) -> Iterator[str]:
-    """Metals of a larger allowable pressure than a metal has, by that."""
+    """Metals of a larger allowable pressure than that of a metal, in ascending order."""
     present = MATERIALS[before]
     if present.group in PLASTICS:
         return
@@ -93,7 +77,7 @@ def _materials(before: str) -> Iterator[str]:
 
 
 def _fits(request: Any, before: str) -> list[str]:
-    """The other usual fits by how far their clearance is from the present one."""
+    """Other usual fits, ordered by the difference of their clearance from the present one."""
     pair = request.design.nominal_pair
     pin, hole = 2 * pair.pin_radius, 2 * pair.hole_radius
 

@@ -1,6 +1,4 @@
-"""The ring as a request gives it: the pins and discs of a cycloid, or what else presses the
-satellites along their cranks.
-"""
+"""Ring of a request: pins and discs of a cycloid, or other teeth that load the satellites."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -42,7 +40,7 @@ from core.ring.profile import Modification
 REFERENCE_ANGLE_DEG = 20.0
 
 PIN_MATERIAL, DISC_MATERIAL = "steel_bearing", "steel_through_hardened"
-"""Of the ring's pins and of the discs, where they are not given."""
+"""Materials of ring pins and discs if they are not given."""
 
 Made = TypeVar("Made")
 
@@ -52,10 +50,10 @@ RINGS: dict[Kind | None, type[CycloidRing] | type[InvoluteRing] | type[OtherRing
     "none": OtherRing,
     None: OtherRing,
 }
-"""Rings by their kind, of one whose ratio of forces is given without one."""
+"""Kinds of rings; None for a ring given by the ratio of its forces."""
 
 OF_SUPPORTS = ("span_mm", "satellite_positions_mm")
-"""What ring pins have that bend."""
+"""Fields of ring pins that bend."""
 
 Change = Annotated[float, Field(ge=-0.5, le=0.5)]
 
@@ -77,11 +75,11 @@ ring_pin_radius = partial(
     step=0.5,
     help="Of the pins, or of their sleeves; with it the roots of a cycloid disc are known.",
 )
-"""Fields that may be left out in some requests, and not in others."""
+"""Fields that are optional in some requests."""
 
 
 class ModificationFields(PartFields, group="gear"):
-    """By what the tool that cuts the discs is set off from the ring's pins."""
+    """Offsets of the tool that cuts the discs from the ring pins."""
 
     equidistant_mm: Change = quantity(
         "Equidistant modification", "Δ_e", default=0.0, step=0.005, schema=NO_DUST
@@ -99,12 +97,12 @@ class ModificationFields(PartFields, group="gear"):
     _sizes = field_validator("equidistant_mm", "pin_circle_mm", "rotation_arcmin")(no_dust)
 
     def section(self) -> Modification:
-        """The same in SI units."""
+        """Modification in SI units."""
         return Modification(**self.to_core())
 
 
 class RingPinsFields(RequestModel, group="gear"):
-    """The pins of a ring and the cycloid discs on them, as far as they are given."""
+    """Ring pins and the cycloid discs on them, as far as they are given."""
 
     RULES: ClassVar[tuple[dict[str, Any], ...]] = (
         {
@@ -168,12 +166,12 @@ class RingPinsFields(RequestModel, group="gear"):
         return self
 
     def ring(self, made: type[Made]) -> Made:
-        """The ring in SI units, of the kind that it is."""
+        """Ring in SI units, by its kind."""
         return ring_of(self.to_core(), made)
 
 
 def ring_of(own: dict[str, Any], made: type[Made]) -> Made:
-    """The ring in SI units, of the kind that it is, of what a request tells core of it."""
+    """Ring in SI units, by its kind, from the core's arguments of a request."""
     if "pin_material" in own:
         held = strengths_of(own.pop("pin_material"))
         own["pin_material"] = held.pop("material")
@@ -185,7 +183,7 @@ def ring_of(own: dict[str, Any], made: type[Made]) -> Made:
 
 
 class RingPinDeviationsFields(RequestModel, group="deviations"):
-    """What the pins of a ring deviate from their nominal sizes."""
+    """Deviations of ring pins from their nominal sizes."""
 
     ring_pin_radial_mm: Maybe[PerRingPin] = quantity("Ring pins outward", "ρ", step=0.001)
     """Of each pin of the ring, outward; the first faces the crank at the crank angle 0."""
@@ -198,18 +196,12 @@ class RingPinDeviationsFields(RequestModel, group="deviations"):
 
     @property
     def ring_lists(self) -> dict[str, list[float]]:
-        """Lists that are given, by their field."""
+        """Given lists by their field."""
         given = {name: getattr(self, name) for name in RING_PIN_LISTS}
         return {name: value for name, value in given.items() if value}
 
     def refuse_other_ring(self, pins: int | None) -> None:
-        """Refuse lists that are not one value for each pin of the ring, where it has a number.
-
-        Raises
-        ------
-        Problem
-            If there are.
-        """
+        """Refuse lists without one value for each ring pin, if the number of pins is known."""
         errors = [
             wrong(f"/deviations/{name}", "different_length", expected=pins, actual=len(value))
             for name, value in self.ring_lists.items()
@@ -220,14 +212,14 @@ class RingPinDeviationsFields(RequestModel, group="deviations"):
 
 
 RING_PIN_LISTS = tuple(RingPinDeviationsFields.model_fields)
-"""Fields of these."""
+"""Fields with lists of ring pins."""
 
 TOOTH_DATA = tuple(
     name
     for name in RingPinsFields.model_fields
     if name not in ("kind", "ring_pin_circle_radius_mm", "ring_pin_radius_mm")
 )
-"""What the mesh of cycloid discs is judged by, besides the sizes of the ring."""
+"""Inputs of the mesh of cycloid discs, besides the sizes of the ring."""
 
 INVOLUTE_DATA = (
     *InvoluteTeethFields.model_fields,
@@ -235,11 +227,11 @@ INVOLUTE_DATA = (
     "friction_coefficient",
     "root_strength_MPa",
 )
-"""What the mesh of involute teeth is judged by, besides module and pressure angle."""
+"""Inputs of the mesh of involute teeth, besides module and pressure angle."""
 
 
 class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
-    """Teeth or pins of the ring, or the ratio of its forces itself."""
+    """Teeth or pins of the ring, or the ratio of its forces."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
         (("kind",), ("radial_force_ratio",)),
@@ -302,7 +294,7 @@ class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
     20 GPa, else ground, where not given."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Also the material of the ring, where its mesh is judged."""
+        """Assumed values, with the material of the ring if its mesh is judged."""
         yield from super().assumed()
         if self.toothed or self.modification is not None:
             for name, material in self._usual_materials().items():
@@ -310,23 +302,17 @@ class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
                     yield (name,), material
 
     def _usual_materials(self) -> dict[str, str]:
-        """Materials that are taken where they are not given."""
+        """Materials that are assumed if they are not given."""
         of_pins = {"pin_material": PIN_MATERIAL} if self.kind == "cycloid" else {}
         return of_pins | ({"ring_material": RING_MATERIAL} if self.toothed else {})
 
     @property
     def toothed(self) -> bool:
-        """Whether involute teeth are given with their profile shifts."""
+        """True if involute teeth are given with their profile shifts."""
         return self.given.keys() >= {"satellite_profile_shift", "ring_profile_shift"}
 
     def refuse_other_teeth(self, difference: int | None) -> None:
-        """Refuse involute teeth without a difference, or with another than the mechanism's.
-
-        Raises
-        ------
-        PydanticCustomError
-            If they are.
-        """
+        """Refuse involute teeth whose difference is missing or contradicts the mechanism."""
         if self.kind != "involute":
             return
         given, name = self.teeth_difference, "gear/teeth_difference"
@@ -337,24 +323,13 @@ class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
             raise field_error(name, "teeth_disagree", expected=difference)
 
     def refuse_other_discs(self, material: Any) -> None:
-        """Refuse a material of the discs that is not that of their holes.
-
-        Parameters
-        ----------
-        material : str or MaterialFields
-            Of the holes.
-
-        Raises
-        ------
-        PydanticCustomError
-            If it is.
-        """
+        """Refuse a material of the discs other than that of their holes."""
         for name in ("disc_material", "satellite_material"):
             if material_of(self.given.get(name, material)) != material_of(material):
                 raise field_error(f"gear/{name}", "discs_disagree", field="hole_material")
 
     def section(self, whole: Any) -> Ring:
-        """The ring in SI units, with the difference of the mechanism's teeth where it has them."""
+        """Ring in SI units, with the difference of the mechanism's teeth if given."""
         usual: dict[str, Any] = {**self._usual_materials()}
         if self.kind == "involute":
             usual["reference_pressure_angle"] = to_si("angle_deg", REFERENCE_ANGLE_DEG)

@@ -1,4 +1,4 @@
-"""The mesh of satellites with their ring, pins or involute teeth: request and answer."""
+"""Mesh of satellites with ring pins or involute ring teeth: request and answer."""
 
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal, Self, get_args
@@ -80,23 +80,23 @@ OfInvolutes = Literal["stresses", "shared_pairs", "worked"]
 Section = Literal[OfCycloids, OfInvolutes]
 
 MAX_TURN_PAIRS = 1000
-"""Most pairs over the turn: thousands of positions are solved."""
+"""Largest number of pairs over the turn, for which thousands of positions are solved."""
 
 MAX_POSITIONS = 1000
-"""Most crank angles of one request."""
+"""Largest number of crank angles in a request."""
 
 MAX_FORCES = 100_000
-"""Most forces of positions: angles times pairs."""
+"""Largest number of forces of positions: angles times pairs."""
 
 MAX_DRAWN_PAIRS = 240
-"""Most pairs that a figure shows."""
+"""Largest number of pairs in a figure."""
 
 TORQUES = (-1.0, -0.75, -0.5, -0.25, -0.1, -0.03, 0.03, 0.1, 0.25, 0.5, 0.75, 1.0)
-"""Shares of the torque at which the curve of the lag is sent."""
+"""Shares of the torque at which the lag curve is answered."""
 
 
 def _of_its_kind(given: Any) -> Any:
-    """Refuse the ring's fields that are those of the other kind."""
+    """Refuse fields of a ring of the other kind."""
     kinds = (("cycloid", InvoluteRingFields), ("involute", CycloidRingFields))
     own = {"cycloid": CycloidRingFields.model_fields, "involute": InvoluteRingFields.model_fields}
     for kind, other in kinds:
@@ -117,11 +117,11 @@ OF_CYCLOIDS = (
     "chord_error_mm",
     "crank_angle_deg",
 )
-"""What is said of cycloid discs only."""
+"""Fields of cycloid discs only."""
 
 
 class RingMeshRequest(RequestModel, group="positions"):
-    """Satellites, ring and load as the parts are made, and which results are wanted."""
+    """Satellites, ring and load as the parts are made, and the results that are wanted."""
 
     RULES: ClassVar[tuple[dict[str, Any], ...]] = (
         {
@@ -197,9 +197,7 @@ class RingMeshRequest(RequestModel, group="positions"):
         return self
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse what exceeds the operator's limits, what takes too long, and lists that do not fit
-        the ring.
-        """
+        """Refuse inputs beyond the operator's limits or too slow, and lists of other lengths."""
         super().refuse_beyond(settings)
         if self.gear.kind == "involute":
             return
@@ -228,7 +226,7 @@ class RingMeshRequest(RequestModel, group="positions"):
 
     @property
     def eccentricity(self) -> float | None:
-        """Eccentricity of the cranks, m; None where involute teeth say it."""
+        """Eccentricity of the cranks, m; None if involute teeth determine it."""
         if self.contact is None:
             return None
         given: float = to_si("eccentricity_mm", self.contact.eccentricity_mm)
@@ -236,7 +234,7 @@ class RingMeshRequest(RequestModel, group="positions"):
 
     @property
     def pair(self) -> InvolutePair:
-        """A satellite of involute teeth in its ring, in SI units."""
+        """Involute satellite in its ring, in SI units."""
         own = self.mechanism
         teeth = self.involute.involute_teeth(
             satellite_teeth=own.satellite_teeth, ring_teeth=own.ring_teeth
@@ -252,7 +250,7 @@ class RingMeshRequest(RequestModel, group="positions"):
 
     @property
     def loaded_teeth(self) -> dict[str, Any]:
-        """What the stresses of involute teeth follow from, as arguments."""
+        """Arguments of the stresses of involute teeth."""
         factor = self.load.application_factor or 1.0
         return {
             "torque": self.load.output_torque_Nm / self.mechanism.satellites,
@@ -298,7 +296,7 @@ class RingMeshRequest(RequestModel, group="positions"):
 
     @property
     def friction(self) -> RingFriction:
-        """What slides; without a coefficient as if it were 0."""
+        """Sliding contact of the ring; without a coefficient it is taken as 0."""
         ring = self.cycloid.ring(CycloidRing)
         coefficient = ring.friction_coefficient or 0.0
         return RingFriction(coefficient, ring.sleeve_bore_radius, ring.rolling)
@@ -310,13 +308,13 @@ class RingMeshRequest(RequestModel, group="positions"):
         return given
 
     def _loss(self, turn: MeshTurn) -> RingLoss | None:
-        """Friction over the turn, where its coefficient is given."""
+        """Friction over the turn, if its coefficient is given."""
         if self.cycloid.friction_coefficient is None:
             return None
         return ring_loss(turn=turn, friction=self.friction, input_speed=self.input_speed)
 
     def solve_all(self) -> Solved:
-        """What is asked for."""
+        """Requested results."""
         if self.gear.kind == "involute":
             return self._solve_pair()
         solved, asked = Solved(), {*self.asked}
@@ -351,7 +349,7 @@ class RingMeshRequest(RequestModel, group="positions"):
         return solved
 
     def solve_steps(self) -> list[Values]:
-        """Steps of the sections that are asked for."""
+        """Worked steps of the requested sections."""
         if isinstance(self.gear, InvoluteRingFields):
             return worked(geometry=involute_steps(self.pair))
         asked, disc, torque = {*self.asked}, self.disc, self.load.output_torque_Nm
@@ -420,17 +418,17 @@ class RingMeshRequest(RequestModel, group="positions"):
         )
 
     def solve_path(self) -> DrawnPath:
-        """The pressure along the path of contact."""
+        """Pressure along the path of contact."""
         return drawn_path(pair=self.pair, loaded=self.loaded_teeth)
 
     def solve_for_drawing(self) -> ShownMesh:
-        """All that the figure shows."""
+        """All values that the figure shows."""
         turn = MeshTurn(Turn(self.mesh, self.torque))
         return ShownMesh.at_angle(turn, self.angles[0])
 
 
 def work(body: RingMeshRequest) -> list[Values]:
-    """Worked steps of the geometry, and of what is asked for."""
+    """Worked steps of the geometry, and of requested sections."""
     return body.solve_steps()
 
 
@@ -444,7 +442,7 @@ def solve(body: RingMeshRequest) -> Values:
 
 
 def figure(body: RingMeshRequest, theme: Theme = "light") -> Figure:
-    """Forces and gaps over the ring's pins at a crank angle, the largest force and the lag over the
+    """Forces and gaps over the ring pins at a crank angle, the largest force and the lag over the
     turn, and the disc on its pins; or the pressure along the path of contact of involute teeth, for
     Plotly.js.
     """

@@ -1,4 +1,4 @@
-"""Answer of the mesh of satellites with their ring, pins or involute teeth."""
+"""Answer about the mesh of satellites with ring pins or involute ring teeth."""
 
 from typing import Literal
 
@@ -28,11 +28,11 @@ from core.ring.profile import CycloidDisc, OutlinePoints
 from core.ring.sharing import ideal_mesh
 
 DRAWN_DIGITS = 6
-"""Of what is drawn, of the largest of a kind."""
+"""Digits of drawn values, relative to the largest of a kind."""
 
 
 class RingGeometryOut(ResponseModel):
-    """The discs by their sizes alone."""
+    """Discs by their sizes alone."""
 
     shortening_coefficient: float = result("e·z₃/R_p of the ring's pins.", symbol="K₁")
     min_path_radius_mm: float = result(
@@ -67,7 +67,7 @@ class RingIdealOut(ResponseModel):
 
     @classmethod
     def of(cls, disc: CycloidDisc, disc_torque: float) -> dict[str, object]:
-        """The values of perfect discs of these sizes, each under a torque, N*m."""
+        """Values of perfect discs of these sizes, each under a torque, N*m."""
         ratio = cycloid_mesh(
             eccentricity=disc.eccentricity,
             ratio=float(disc.satellite_teeth),
@@ -77,7 +77,7 @@ class RingIdealOut(ResponseModel):
 
 
 class MeshPositionOut(ResponseModel):
-    """The mesh at one crank angle under load."""
+    """Mesh at one crank angle under load."""
 
     BESIDE = ("sliding_speed_m_per_s", "loss_per_friction", "pressed_without_load")
 
@@ -125,8 +125,8 @@ class MeshPositionOut(ResponseModel):
 
 
 class TeethTurnOut(ResponseModel):
-    """The teeth over the turn, where both meshes are in series: forces, pressures and lags of the
-    discs in that one solution. Play, stiffness and transmission error are of both, and stand in
+    """Ring teeth over the turn, with both meshes in series: forces, pressures and lags of the discs
+    in the common solution. Play, stiffness and transmission error are of both meshes and are in
     `load_sharing`. The accuracy is that of the largest pressure.
     """
 
@@ -175,7 +175,7 @@ class MeshTurnOut(TeethTurnOut):
 
 
 class RingEfficiencyOut(ResponseModel):
-    """Friction of the mesh over the turn, where its coefficient is known."""
+    """Friction of the mesh over the turn, if its coefficient is known."""
 
     loss_per_friction: float = result(
         "Loss over output for a friction coefficient of 1, mean over the turn.",
@@ -195,8 +195,8 @@ class RingEfficiencyOut(ResponseModel):
 
 
 class ProfileOut(ResponseModel):
-    """The outline of a disc as a closed polygon, in its own frame: about its centre, the first
-    point in the valley that faces the crank at the crank angle 0, clockwise.
+    """Outline of a disc as a closed polygon about its centre, clockwise from the valley that faces
+    the crank at crank angle 0.
     """
 
     BESIDE = ("points", "closed")
@@ -213,7 +213,7 @@ class ProfileOut(ResponseModel):
 
 
 class RingPinOut(ResponseModel):
-    """A pin of the ring as it is made."""
+    """Ring pin as it is made."""
 
     pin: int = result("Number of the pin, from 1.", symbol="k")
     centre_mm: tuple[float, float] = result("Its centre, X and Y.", symbol="P_k")
@@ -221,8 +221,8 @@ class RingPinOut(ResponseModel):
 
 
 class RingDrawingOut(ResponseModel):
-    """Satellites and ring as they are drawn (Y up through pin 1 of the output at crank angle 0, X
-    right): the outline of a disc, where it stands, and what its pins do over the turn of the crank.
+    """Satellites and ring as they are drawn (Y up through output pin 1 at crank angle 0, X right):
+    outline and place of a disc, and curves of its pins over the turn of the crank.
     """
 
     lobe_mm: Maybe[list[list[float]]] = result(
@@ -275,7 +275,7 @@ class RingDrawingOut(ResponseModel):
 
     @classmethod
     def with_curves(cls, drawn: DrawnMesh, curves: MeshCurves | SeriesCurves) -> dict[str, object]:
-        """The values of discs and ring, and of what they do."""
+        """Values of discs and ring, with curves of forces."""
         values = cls.of(
             drawn, crank_angle_deg=curves.crank_angle, force_N=curves.force, gap_mm=curves.gap
         )
@@ -306,8 +306,8 @@ class RingDrawingOut(ResponseModel):
 
 
 class SharedPairsOut(ResponseModel):
-    """Pairs of perfect involute teeth that carry over a pitch, for information: a pitch error of
-    some microns takes most of it away, and stresses are those of one pair.
+    """Number of pairs of perfect involute teeth that carry over a pitch, for information: pitch
+    errors of some microns remove most of this sharing, and stresses are those of one pair.
     """
 
     loaded_pairs_min: int = result("Least number of pairs with a force.")
@@ -319,9 +319,7 @@ class SharedPairsOut(ResponseModel):
 
 
 class DesignMeshOut(ResponseModel):
-    """The mesh of cycloid discs with their ring in a whole design, under the torque without its
-    factor.
-    """
+    """Mesh of cycloid discs and ring in a whole design, under the torque without its factor."""
 
     BESIDE = ("geometry", "torque_direction", "ideal", "over_turn", "efficiency")
 
@@ -337,7 +335,7 @@ class DesignMeshOut(ResponseModel):
 
 
 class DesignPairOut(ResponseModel):
-    """The mesh of involute teeth in a whole design, of the satellite with the largest torque."""
+    """Mesh of involute teeth in a whole design, for the satellite with the largest torque."""
 
     satellite_torque_Nm: float = result(
         "Largest torque of a satellite over the turn, under the dynamic load over its factor.",
@@ -352,7 +350,7 @@ class DesignPairOut(ResponseModel):
 
 
 class RingMeshResponse(ResponseModel):
-    """The sections that were asked for."""
+    """Requested sections."""
 
     assumed: Maybe[list[AssumedOut]] = assumptions()
     kind: Literal["cycloid", "involute"] = result("What the ring is.")

@@ -18,35 +18,35 @@ from core.ring.sharing import CycloidMesh, MeshTurn, mesh_gaps, mesh_position
 Rows = tuple[tuple[float, ...], ...]
 
 ANGLES = 360
-"""Crank angles of the curves, at least."""
+"""Least number of crank angles of the curves."""
 
 CHORD_ERROR = 1e-5
-"""Of the outline, m."""
+"""Chord error of the outline, m."""
 
 SYMBOLS = {
     "path_start": "triangle-right-open",
     "path_end": "triangle-left-open",
     "pitch_point": "circle-open",
 }
-"""Of the points of the path of contact."""
+"""Symbols of the points of the path of contact."""
 
 PANELS = (0.74, 1.0), (0.5, 0.68), (0.22, 0.4), (0.0, 0.18)
-"""Where forces and gaps over the pins, peak and lag over the turn stand, of their height."""
+"""Places of the panels in the figure's height: forces and gaps over the pins, peak and lag."""
 
 
 @dataclass(frozen=True, slots=True)
 class ShownMesh:
-    """What the figure shows, in SI units."""
+    """Values that the figure shows, in SI units."""
 
     mesh: CycloidMesh
     at: float  # crank angle of forces and gaps
-    force: FloatArray  # of all pairs there, shape (K, z_p)
-    ideal: Rows  # of perfect parts there
-    gap: FloatArray  # that are left there under the torque
-    crank_angle: FloatArray  # of the curves
+    force: FloatArray  # forces of all pairs there, shape (K, z_p)
+    ideal: Rows  # forces of perfect parts there
+    gap: FloatArray  # gaps left there under the torque
+    crank_angle: FloatArray  # crank angles of the curves
     largest: FloatArray  # force at these
-    lag: FloatArray  # of the output at these
-    own_lag: FloatArray  # of each disc, where these have others, shape (K or 0, n)
+    lag: FloatArray  # lag of the output at these angles
+    own_lag: FloatArray  # lags of the discs if they differ, shape (K or 0, n)
     # Crank angle and largest force over the turn, where it is known.
     peaks: tuple[tuple[float, float], ...] = ()
     # Lag of the first disc, and points of a disc, shape (n, 2), where it is drawn.
@@ -54,19 +54,7 @@ class ShownMesh:
 
     @classmethod
     def at_peak(cls, turn: MeshTurn, members: Members) -> Self:
-        """A mesh at its peak, without a disc.
-
-        Parameters
-        ----------
-        turn : MeshTurn
-            The mesh over the turn, by itself or in series.
-        members : Members
-            Which is the output.
-
-        Returns
-        -------
-        ShownMesh
-        """
+        """Mesh at its peak, without a disc; `turn` is of the ring alone or in series."""
         angle = turn.peak_crank_angle
         shown, _ = cls._of(turn, angle)
         lags = {name: members.angle_at_output(getattr(shown, name)) for name in ("lag", "own_lag")}
@@ -74,26 +62,14 @@ class ShownMesh:
 
     @classmethod
     def at_angle(cls, turn: MeshTurn, crank_angle: float) -> Self:
-        """A mesh by itself at a crank angle, with a disc.
-
-        Parameters
-        ----------
-        turn : MeshTurn
-            The mesh over the turn.
-        crank_angle : float
-            rad.
-
-        Returns
-        -------
-        ShownMesh
-        """
+        """Mesh of the ring alone at a crank angle, rad, with a disc."""
         shown, lag = cls._of(turn, crank_angle)
         points = outline_points(disc=turn.mesh.disc, chord_error=CHORD_ERROR).points
         return replace(shown, outlines=((lag, points),))
 
     @classmethod
     def _of(cls, turn: MeshTurn, angle: float) -> tuple[Self, float]:
-        """A mesh at a crank angle, and the lag of the first disc there."""
+        """Mesh at a crank angle, and the lag of the first disc there."""
         mesh, torque = turn.mesh, turn.turn.torque
         curves: MeshCurves | SeriesCurves
         if isinstance(turn, TeethInSeries):  # the turn of the crank in which that is
@@ -124,21 +100,9 @@ class ShownMesh:
 
 
 def ring_mesh_figure(shown: ShownMesh, theme: Theme) -> Figure:
-    """Force and gap over the ring's pins at a crank angle, with the forces of perfect parts thin
-    behind; the largest force and the lag over a turn of the crank, where both meshes are in series
-    with the lag of each disc; the first disc on its pins.
-
-    Parameters
-    ----------
-    shown : ShownMesh
-        What it shows.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
+    """Force and gap over the ring pins at a crank angle, with forces of perfect parts thin behind;
+    largest force and lag over a turn of the crank, in series the lag of each disc; first disc on
+    its pins.
     """
     angle = Amount(float(from_si("angle_deg", shown.at)), "°", 4)
     pins = np.arange(1, shown.mesh.disc.pins + 1).tolist()
@@ -221,7 +185,7 @@ def ring_mesh_figure(shown: ShownMesh, theme: Theme) -> Figure:
 
 
 def _drawing(shown: ShownMesh, lag: float, points: FloatArray, theme: Theme) -> list[Figure]:
-    """The first disc: outline and pitch point."""
+    """First disc: outline and pitch point."""
     mesh, phi = shown.mesh, shown.at + shown.mesh.crank_angles[0]
     disc, own = mesh.disc, {"xaxis": "x3", "yaxis": "y5", "showlegend": False}
     crank = 1j * disc.eccentricity * np.exp(-1j * phi)
@@ -239,7 +203,7 @@ def _drawing(shown: ShownMesh, lag: float, points: FloatArray, theme: Theme) -> 
 
 
 def _pins(shown: ShownMesh, theme: Theme) -> list[Figure]:
-    """The pins of the ring, those that carry the first disc in the colour of alerts."""
+    """Ring pins, with those that carry the first disc in the colour of alerts."""
     disc, found = shown.mesh.disc, []
     radius = float(from_si("radius_mm", disc.ring_pin_radius))
     for k, force in enumerate(shown.force[0]):
@@ -253,33 +217,20 @@ def _pins(shown: ShownMesh, theme: Theme) -> list[Figure]:
 
 @dataclass(frozen=True, slots=True)
 class DrawnPath:
-    """Pressure along the line of action of involute teeth, in SI units: places are measured from
+    """Pressure along the line of action of involute teeth, in SI units; places are measured from
     the satellite's base circle.
     """
 
     line: FloatArray  # places from the start of the path or the pitch point to the last of them
     path: FloatArray  # places on the path of contact
-    points: dict[str, float]  # its start, its end, the pitch point, where a pressure is known
+    points: dict[str, float]  # start, end and pitch point, as far as their pressure is known
     line_pressure: FloatArray  # at these
     path_pressure: FloatArray
     point_pressure: FloatArray  # in their order
 
 
 def path_figure(shown: DrawnPath, theme: Theme) -> Figure:
-    """Pressure of one pair of involute teeth along the path of contact, and on to the pitch point.
-
-    Parameters
-    ----------
-    shown : DrawnPath
-        What it shows.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
-    """
+    """Pressure of one pair of involute teeth along the path of contact, up to the pitch point."""
     data, place = [], Amount("%{x:.4g}", "mm")
     for code, places, pressures, index in (
         ("line_of_action", shown.line, shown.line_pressure, 1),

@@ -1,4 +1,4 @@
-"""Satellites, ring and what holds it: fields of a request about their mesh."""
+"""Satellites, ring and supports: fields of a request about their mesh."""
 
 from typing import ClassVar, Literal, Self
 
@@ -32,7 +32,7 @@ from core.ring.sharing import RingDeviations
 
 
 class RingTeethFields(RequestModel, group="mechanism"):
-    """Teeth and cranks; the pins of the output are not needed here."""
+    """Teeth and cranks, without the output pins."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
         (("crank_spacing_deg",), ("crank_angles_deg",), ()),
@@ -95,7 +95,7 @@ class RingLoadFields(RequestModel, group="load"):
     """Radius of the circle of the output's pins; not needed here."""
 
     def notices(self) -> tuple[Notice, ...]:
-        """Also that the application factor takes some of the torque away."""
+        """Notices, also of an application factor below 1."""
         return super().notices() + of_load_factor(self.application_factor)
 
 
@@ -106,7 +106,7 @@ class RingCrankFields(RequestModel, group="contact"):
 
 
 class CycloidRingFields(RingPinsFields, group="gear"):
-    """Cycloid discs and the pins of their ring."""
+    """Cycloid discs and their ring pins."""
 
     ASSUMED: ClassVar[tuple[str, ...]] = ("pin_material", "disc_material")
 
@@ -122,18 +122,18 @@ class CycloidRingFields(RingPinsFields, group="gear"):
 
     @property
     def turned(self) -> bool:
-        """Whether a modification turns the flanks."""
+        """True if the modification rotates the flanks."""
         return self.modification is not None and self.modification.rotation_arcmin > 0
 
     def notices(self) -> tuple[Notice, ...]:
-        """That nothing is known of the modification."""
+        """Notice of an unknown modification."""
         unknown = self.modification is None
         return super().notices() + ((Notice("modification_unknown"),) if unknown else ())
 
 
 class RingDeviationsFields(RingPinDeviationsFields, group="deviations"):
-    """What a ring and its discs deviate from their nominal sizes. Positive: outward, as the output
-    turns, larger, ahead.
+    """Deviations of a ring and its discs from their nominal sizes. Positive means outward, as the
+    output turns, larger, ahead.
     """
 
     eccentricity_mm: Maybe[PerSatellite] = quantity("Eccentricities", "Δe", step=0.001)
@@ -151,13 +151,7 @@ class RingDeviationsFields(RingPinDeviationsFields, group="deviations"):
         )
 
     def refuse_other_lengths(self, pins: int, satellites: int) -> None:
-        """Refuse lists that do not fit the ring.
-
-        Raises
-        ------
-        Problem
-            If there are.
-        """
+        """Refuse lists that do not fit the ring."""
         counts = [
             (name, pins if name.startswith("ring") else satellites, len(value))
             for name, value in self.given.items()
@@ -172,7 +166,7 @@ class RingDeviationsFields(RingPinDeviationsFields, group="deviations"):
 
 
 class MeshCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):
-    """How the discs share the torque."""
+    """Sharing of the torque between the discs."""
 
     KINDS: ClassVar[Kinds] = {"rigid": ((), ()), "shares": (("shares",), ())}
 

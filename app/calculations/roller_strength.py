@@ -63,11 +63,11 @@ from core.worked.rollers import roller_steps
 from core.worked.step import Step
 
 MAX_ROLLERS = 1000
-"""Most rollers of one mechanism."""
+"""Largest number of rollers of a mechanism."""
 
 _JUDGED_BY = ("yield_strength", "eccentricity")
 _TIRED_BY = ("tensile_strength", "roller_rotates", "fatigue")
-"""What only the checks and the fatigue look at."""
+"""Inputs of the checks and the fatigue only."""
 
 _CHECKED = (
     "output_torque",
@@ -78,7 +78,7 @@ _CHECKED = (
     "sphere_width",
     "spacing",
 )
-"""What the checks look at besides the result."""
+"""Inputs of the checks besides the result."""
 
 Gap = Annotated[float, Field(ge=-1e6, le=1e6)]
 
@@ -87,11 +87,11 @@ NOTCHES = ("fatigue_notch_factor", "notch")
 
 
 ROLLER_POINTS = 400
-"""Points of a roller, with its part of the curves."""
+"""Number of points of a roller, with its part of the curves."""
 
 
 class RollerStrengthRequest(JudgedFields, group="roller"):
-    """Rollers, their load, and how far their holes are off."""
+    """Rollers, their load, and the position errors of their holes."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
         (("position_tolerance_mm",), ("gaps_mm",)),
@@ -165,7 +165,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         return self
 
     def cost(self) -> float:
-        """Points of the rollers; fixes are searched."""
+        """Number of points of the rollers; infinite if fixes are searched."""
         return math.inf if "fixes" in self.include else float(ROLLER_POINTS * self.rollers)
 
     def solve(self) -> RollerStrength:
@@ -174,20 +174,19 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
 
     @cached_property
     def design(self) -> dict[str, Any]:
-        """The rollers as the core's arguments, without what only the checks look at."""
+        """Rollers as the core's arguments, without inputs of the checks only."""
         return roller_arguments(**self._inputs)
 
     @property
     def _inputs(self) -> dict[str, Any]:
-        """The same by the names of the inputs."""
+        """Arguments of the core by the names of the inputs."""
         aside = (*_JUDGED_BY, *_TIRED_BY)
         return {name: each for name, each in self.to_core().items() if name not in aside}
 
     def tired(self, result: RollerStrength, diameter: float) -> CycleFatigue | Notice | None:
-        """Fatigue of rollers of a diameter, m; why it is not known; None where nobody asked.
-
-        The factor of the stress beside the middle sphere is the notch's, and counts once: a limit
-        that has all factors in it is held against the stress without it.
+        """Fatigue of rollers of a diameter, m, or why it is not known; None if not requested. The
+        stress factor beside the middle sphere is the notch factor and counts once: an endurance
+        limit that includes all factors is compared with the stress without it.
         """
         if self.fatigue is None:
             return None
@@ -228,7 +227,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         )
 
     def judge(self, result: RollerStrength, tired: CycleFatigue | Notice | None) -> dict[str, Any]:
-        """Verdict of a result and its fatigue, and checks and fixes where asked."""
+        """Verdict of a result and its fatigue, with checks and fixes on request."""
         limits: dict[str, Any] = {
             "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
             "eccentricity": to_si("eccentricity_mm", self.eccentricity_mm),
@@ -304,14 +303,8 @@ class RollerStrengthResponse(JudgedResponse):
 def roller_figure(
     curves: RollerCurves, diameter: float, youngs_modulus: float, theme: Theme
 ) -> Figure:
-    """Three panels, each with the user's own design marked.
-
-    Parameters
-    ----------
-    curves : RollerCurves
-        The curves.
-    diameter, youngs_modulus : float
-        d, m, and E, Pa, which the source's figures refer to.
+    """Three panels of curves, with this design marked; d, m, and E, Pa, are of the source's
+    figures.
     """
     design = curves.design
     lengths, errors = curves.length_ratio, curves.position_error

@@ -48,7 +48,7 @@ from core.worked.crank import bearing_steps
 from core.worked.step import Step
 
 OF_PINS = ("contact_law", "deviations", "pin", "crank_support", "satellite_coupling")
-"""Sections that say something of pins and holes."""
+"""Sections that concern pins and holes."""
 
 
 class ShaftBearingFields(NamedBearingFields, group="bearing"):
@@ -93,11 +93,11 @@ Unbalance = Annotated[float, Field(ge=0, le=1e12)]
 
 
 MAX_WEIGHTS = 20
-"""Counterweights at most."""
+"""Largest number of counterweights."""
 
 
 class CounterweightFields(PartFields, group="crankshaft"):
-    """A mass on the shaft that is off its axis."""
+    """Mass on the shaft off its axis."""
 
     unbalance_kg_mm: Unbalance = quantity("Unbalance", "U", step=0.1)
     """Mass times the distance of its centre from the axis."""
@@ -107,12 +107,12 @@ class CounterweightFields(PartFields, group="crankshaft"):
     """Counted as the crank angles are; 180° is opposite to a crank at 0°."""
 
     def section(self) -> Counterweight:
-        """The same in SI units."""
+        """Counterweight in SI units."""
         return Counterweight(**self.to_core())
 
 
 class SeatedBearingFields(ShaftBearingFields, PartFields, group="crankshaft"):
-    """A bearing of the crankshaft, and what it sits in."""
+    """Bearing of the crankshaft, and the part that holds it."""
 
     seat: Seat = quantity("Sits in", alias="in", default="housing")
     """The housing, or the part of the pins or of the ring where that turns: the life is that of the
@@ -124,7 +124,7 @@ class SeatedBearingFields(ShaftBearingFields, PartFields, group="crankshaft"):
 
 
 class CrankshaftFields(RequestModel, group="crankshaft"):
-    """The shaft: where its loads and bearings are."""
+    """Crankshaft with the places of its loads and bearings."""
 
     satellite_positions_mm: list[Place] = quantity(
         "Places of the satellites", "z₁ … z_K", min_length=1, max_length=MAX_SATELLITES
@@ -154,7 +154,7 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
     )
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Also what names of bearings say."""
+        """Assumed values, with those of named bearings."""
         yield from super().assumed()
         for index, each in enumerate(self.bearings or ()):
             yield from ((("bearings", str(index), *path), value) for path, value in each.assumed())
@@ -171,7 +171,7 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
 
 
 class CrankedRequest(DesignFields, WorkedFields):
-    """Mechanism, load, crank and ring; pins and holes where the forces follow from them too."""
+    """Mechanism, load, crank and ring; pins and holes if the forces follow from them too."""
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = tuple(
         Rule(f"contact/{name}", "needed_beside", section)
@@ -195,11 +195,11 @@ class SatelliteBearingRequest(CrankedRequest):
         return self.with_fit(self.results.crank.bearings)
 
     def steps(self) -> list[Step]:
-        """Worked steps of the bearing that is loaded most."""
+        """Worked steps of the bearing with the largest load."""
         return bearing_steps(self.results)
 
     def solve_for_drawing(self) -> tuple[SatelliteBearings, BearingCurves, FloatArray]:
-        """The same, curves over the turn, and the switching angles, rad."""
+        """Loads and lives, curves over the turn, and the switching angles, rad."""
         angles, switching = self.drawn_angles()
         curves = design_bearings(results=self.results, crank_angle=angles)
         return self.solve(), curves, switching
@@ -275,29 +275,14 @@ COLUMNS = {
     "static_safety_factor": "static_safety_factor",
 }
 ENDLESS = ("basic_life_h", "life_h", "static_safety_factor")
-"""What the bearing of a satellite that carries nothing has none of."""
+"""Values that the bearing of an unloaded satellite does not have."""
 
 
 def load_figure(
     found: SatelliteBearings, curves: BearingCurves, switching_deg: FloatArray, theme: Theme
 ) -> Figure:
-    """Load in the crank's frame at the left, over the turn at the right, with its equivalent.
-
-    Parameters
-    ----------
-    found : SatelliteBearings
-        The equivalent loads.
-    curves : BearingCurves
-        Loads over the turn.
-    switching_deg : array
-        Crank angles at which a pair starts or stops driving, degrees.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
+    """Load in the crank's frame at the left, over the turn at the right, with its equivalent;
+    switching angles, degrees, are thin lines.
     """
     angles = from_si("crank_angle_deg", curves.crank_angle)
     force = Amount("%{y:.5g}", "N")
@@ -355,7 +340,7 @@ def figure(body: SatelliteBearingRequest, theme: Theme = "light") -> Figure:
 
 
 def work(body: SatelliteBearingRequest) -> list[Values]:
-    """Worked steps of the bearing that is loaded most."""
+    """Worked steps of the bearing with the largest load."""
     return worked(satellite_bearing=body.steps())
 
 

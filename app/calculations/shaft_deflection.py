@@ -55,7 +55,7 @@ Plane = tuple[float, float]
 
 
 class ShaftSectionFields(PartFields, group="shaft"):
-    """A stretch of the shaft with one diameter."""
+    """Stretch of the shaft with one diameter."""
 
     length_mm: Size = quantity("Length", step=1)
     """Length of this stretch of the shaft."""
@@ -63,12 +63,12 @@ class ShaftSectionFields(PartFields, group="shaft"):
     """Diameter of the shaft there."""
 
     def section(self) -> ShaftSection:
-        """The same in SI units."""
+        """Stretch in SI units."""
         return ShaftSection(**self.to_core())
 
 
 class LineContactFields(RequestModel, group="line_contact"):
-    """What the pressure along the contact lines follows from."""
+    """Inputs of the pressure along the contact lines."""
 
     mating_radius_mm: float = quantity(
         "Curvature radius of the teeth", "r_m", step=1, ge=-1e12, le=1e12
@@ -81,29 +81,29 @@ class LineContactFields(RequestModel, group="line_contact"):
     """A name of the table of materials, or values."""
 
     def materials(self) -> tuple[ElasticMaterial, ElasticMaterial]:
-        """Of roller and tooth."""
+        """Materials of roller and tooth."""
         return material_of(self.roller_material), material_of(self.mating_material)
 
     def pressure_limits(self) -> dict[str, float]:
-        """Of roller and tooth, Pa, by their materials, as far as they are known."""
+        """Limits of roller and tooth, Pa, by their materials, as far as they are known."""
         limits = zip(LINE_MATERIALS, (each.limit for each in self.materials()), strict=True)
         return {name: float(each.pressure) for name, each in limits if each}
 
 
 _GEAR = ("roller_radius_mm", "roller_circle_radius_mm")
-"""What a fix may change of the gear."""
+"""Inputs of the gear that a fix may change."""
 
 _OF_SHAFT = ("bearing_distance", "overhang", "youngs_modulus")
-"""Arguments of the core that are the shaft's, beside its stretches."""
+"""Arguments of the core that describe the shaft, besides its stretches."""
 
 
 class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
-    """A mesh, its torque and the shaft that carries it."""
+    """Mesh, its torque, and the shaft that carries it."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("shaft_diameter_mm",), ("shaft_sections",)),)
 
     def cost(self) -> float:
-        """Points of the contact lines; fixes are searched."""
+        """Number of points of the contact lines; infinite if fixes are searched."""
         return math.inf if "fixes" in self.include else super().cost()
 
     bearing_distance_mm: Size = quantity("Bearing distance", "a", step=1)
@@ -142,7 +142,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
 
     @property
     def shaft(self) -> dict[str, Any]:
-        """The shaft as the core's arguments."""
+        """Shaft as the core's arguments."""
         own = self.to_core()
         whole = {name: own[name] for name in _OF_SHAFT}
         match own:
@@ -164,9 +164,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
 
     @cached_property
     def fatigue_strength(self) -> Callable[[float], FatigueStrength] | Notice | None:
-        """What the fatigue of the shaft is judged by, of its diameter, or why that is not known;
-        None where nobody asks.
-        """
+        """Fatigue strength of the shaft, or why it is not known; None if not requested."""
         if self.fatigue is None:
             return None
         basis = self.fatigue.section()
@@ -186,12 +184,12 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         return strength
 
     def no_fatigue(self) -> Notice | None:
-        """Why nothing is known of the shaft's fatigue; None where it is, or nobody asked."""
+        """Reason why the fatigue of the shaft is not known; None if known or not requested."""
         found = self.fatigue_strength
         return found if isinstance(found, Notice) else None
 
     def strength(self, result: ShaftDeflection) -> ShaftStrength | None:
-        """Bending strength of the shaft, where it is asked."""
+        """Bending strength of the shaft, if it is requested."""
         if self.given.keys().isdisjoint(("yield_strength_MPa", "tensile_strength_MPa", "fatigue")):
             return None
         fatigue, shaft = self.fatigue_strength, self.shaft
@@ -207,7 +205,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         )
 
     def contact(self, load: MeshingLoad) -> LineContact | None:
-        """Pressure along the contact lines, where the curvature of the teeth is given."""
+        """Pressure along the contact lines, if the curvature of the teeth is given."""
         if not self.line_contact:
             return None
         roller, mating = self.line_contact.materials()
@@ -237,7 +235,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         )
 
     def _touching(self, load: MeshingLoad) -> tuple[LineContact, dict[str, Any]] | None:
-        """Pressure along the contact lines, and what it follows from."""
+        """Pressure along the contact lines, with its inputs."""
         contact, lines = self.contact(load), self.line_contact
         if not (contact and lines):
             return None
@@ -271,7 +269,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
     def judge(
         self, load: MeshingLoad, result: ShaftDeflection, strength: ShaftStrength | None
     ) -> dict[str, Any]:
-        """Verdict of a result, and checks and fixes where asked."""
+        """Verdict of a result, with checks and fixes on request."""
 
         def checks(changed: dict[str, Any]) -> Verdict:
             fields = {name: from_si(name, changed[core_name(name)]) for name in self._varied()}
@@ -292,20 +290,20 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         return judged
 
     def _varied(self) -> tuple[str, ...]:
-        """What a fix may change: nothing of a shaft with steps, as their lengths add up."""
+        """Inputs that a fix may change; none of a stepped shaft, as its lengths add up."""
         if self.shaft_diameter_mm is None:
             return _GEAR
         return (*_GEAR, "shaft_diameter_mm", "overhang_mm", "bearing_distance_mm")
 
     def solve_diagram(self) -> tuple[ShaftDeflection, ShaftDiagram]:
-        """Reactions and deflection, and the course of loads and deflection along the shaft."""
+        """Reactions and deflection, and curves of loads and deflection along the shaft."""
         load = self.solve_load()
         diagram = shaft_diagram(force=load.force, moment=load.moment, **self.shaft)
         return self.solve_shaft(load), diagram
 
 
 class DeflectionOut(ResponseModel):
-    """Deflection or slope in both planes and in all, in the unit of its name."""
+    """Deflection or slope in both planes and in total, in the unit of its name."""
 
     x: float = result("In the plane of X.")
     y: float = result("In the plane of Y.")
@@ -313,7 +311,7 @@ class DeflectionOut(ResponseModel):
 
 
 class ShaftStrengthOut(ResponseModel):
-    """Bending of the shaft as its strength has it; torsion is not in it."""
+    """Bending strength of the shaft, without torsion."""
 
     bending_moment_B_Nm: float = result("Bending moment at B.", symbol="M_B", equation="|C|·a")
     bending_moment_clamp_Nm: float = result(
@@ -329,7 +327,7 @@ class ShaftStrengthOut(ResponseModel):
 
 
 class LineContactOut(ResponseModel):
-    """Hertz contact of roller and tooth where the line load is largest."""
+    """Hertz contact of roller and tooth at the largest line load."""
 
     max_pressure_MPa: float = result("Largest pressure.", symbol="p₀")
     half_width_mm: float = result("Half-width of the contact.", symbol="a")
@@ -405,12 +403,7 @@ class ShaftDeflectionResponse(JudgedResponse):
 def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme) -> Figure:
     """Shear force, bending moment and deflection along the shaft, in both planes.
 
-    Parameters
-    ----------
-    diagram : ShaftDiagram
-        Their course from C to the clamp, in SI units.
-    bearing_distance_mm : float
-        Distance a of B from C.
+    `diagram` has the curves from C to the clamp, SI; `bearing_distance_mm` is a, from C to B.
     """
     place = from_si("position_mm", diagram.position)
     panels = (

@@ -1,4 +1,4 @@
-"""Answer of which satellite carries how much of the torque."""
+"""Answer about the shares of the torque that satellites carry."""
 
 from typing import Any
 
@@ -12,7 +12,7 @@ from core.checks.shares import DiscShares, ShareModel, ShareReason
 
 
 class DiscShareOut(ResponseModel):
-    """What a satellite carries."""
+    """Share of one satellite."""
 
     satellite: int = result("Satellite.")
     torque_Nm: float = result("Mean over the turn, under the torque without its factor.")
@@ -21,7 +21,7 @@ class DiscShareOut(ResponseModel):
 
 
 class EvenOut(ResponseModel):
-    """A check where satellites share alike."""
+    """Check with evenly sharing satellites."""
 
     check: str = Field(description="Which.", json_schema_extra={"enum": [*CHECKS]})
     status: Status = Field(description=f"How it would go: {', '.join(STATUSES)}.")
@@ -30,7 +30,7 @@ class EvenOut(ResponseModel):
 
 
 class SharesOut(ResponseModel):
-    """How the satellites share the torque."""
+    """Sharing of the torque between the satellites."""
 
     model: ShareModel = Field(
         description="`real` by forces that are solved, `factor` by `contact.distribution_factor`, "
@@ -78,7 +78,7 @@ def _compared(check: Check) -> Values:
 
 
 def shares_warnings(found: DiscShares) -> list[Values]:
-    """That one carries much more than its part, and what the number that decides would be."""
+    """Warning of a satellite that carries much more, with the governing number for even shares."""
     said = [warning(each) for each in found.notices]
     for values in said:
         for governed in found.governs[:1]:

@@ -71,24 +71,24 @@ SOLVED = {
         )
     )
 }
-"""Calculations of which an input can be solved."""
+"""Calculations whose inputs can be solved."""
 
 LINKED = ("/contact/pin_radius_mm", "/contact/eccentricity_mm")
-"""Inputs that the hole follows: its clearance stays."""
+"""Inputs that the hole follows with unchanged clearance."""
 
 HOLE = "/contact/hole_radius_mm"
 
 LONG_SAMPLES = 17
-"""Places at which the range is looked at first where each takes long."""
+"""Number of first samples of the range if each takes long."""
 
 FEW_SAMPLES = 3
-"""Answers without the part that a target stands in after which it is looked for no longer."""
+"""Number of answers without the section of the target after which the search ends."""
 
 Pointer = Annotated[str, Field(pattern="^/", max_length=200)]
 
 
 class VariableFields(RequestModel):
-    """The input that is looked for."""
+    """Input that is solved for."""
 
     pointer: Pointer = Field(description="JSON pointer into `input`.")
     low: float = Field(alias="from", ge=-1e12, le=1e12, description="Start of its range.")
@@ -102,7 +102,7 @@ class VariableFields(RequestModel):
 
 
 class TargetFields(RequestModel):
-    """What a result is to be."""
+    """Target of a result."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("at_least",), ("at_most",), ("equals",)),)
 
@@ -116,13 +116,13 @@ class TargetFields(RequestModel):
 
     @property
     def wanted(self) -> tuple[Sense, float]:
-        """How it is compared, and with what."""
+        """Comparison and value of the target."""
         given = self.given
         return next((sense, given[sense]) for sense in SENSES if sense in given)
 
 
 class SolveRequest(WorkedFields):
-    """A calculation with its input, the field that may change, and the result that is wanted."""
+    """Calculation with its input, the field that may change, and the wanted result."""
 
     calculation: Literal[
         "hertz",
@@ -138,12 +138,12 @@ class SolveRequest(WorkedFields):
 
     @property
     def adapter(self) -> TypeAdapter[RequestModel]:
-        """What reads that calculation's requests."""
+        """Validator of the calculation's requests."""
         return TypeAdapter(SOLVED[self.calculation].request)
 
     @cached_property
     def design(self) -> dict[str, Any]:
-        """The input, with what the target needs and no more asked of the answer."""
+        """Input, with only the requested sections that the target needs."""
         design = deepcopy(self.input)
         target = keys(self.target.pointer)
         sections = SECTIONS
@@ -157,21 +157,15 @@ class SolveRequest(WorkedFields):
 
     @cached_property
     def asked(self) -> RequestModel:
-        """The same as its calculation reads it.
-
-        Raises
-        ------
-        Problem
-            If it does not.
-        """
+        """Input as the calculation's own request; a problem if the calculation refuses it."""
         try:
             return self.adapter.validate_python(self.design)
         except ValidationError as error:
             raise _refused(error) from None
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """What its calculation assumes, but for what is looked for: of a clearance that is not
-        known that it is none, as the forces that a target hangs on are those of perfect parts.
+        """Assumptions of the calculation except the solved input; an unknown clearance is assumed
+        to be 0, as a target of forces is that of perfect parts.
         """
         given, asked = [*self.asked.assumed()], self.asked
         contact = getattr(asked, "contact", None)
@@ -183,7 +177,7 @@ class SolveRequest(WorkedFields):
                 yield ("input", *path), value
 
     def notices(self) -> tuple[Notice, ...]:
-        """What of the input is taken otherwise than it is typed."""
+        """Notices of inputs that are interpreted differently from their typed form."""
         return self.asked.notices()
 
     def refuse_beyond(self, settings: Settings) -> None:
@@ -197,9 +191,7 @@ class SolveRequest(WorkedFields):
             raise _refused(named(error, asked)) from error
 
     def solve(self) -> tuple[Solution, dict[str, float], list[str], list[FieldProblem]]:
-        """The solution, what it sets, which inputs were linked, and why the input is refused beyond
-        its edge, where it is.
-        """
+        """Solution, values that it sets, linked inputs, and why inputs beyond its edge fail."""
         calculation, adapter = SOLVED[self.calculation], self.adapter
         long = math.isinf(self.asked.cost())
         parts = keys(self.variable.pointer)
@@ -276,12 +268,12 @@ class SolveRequest(WorkedFields):
 
 @cache
 def _schema(name: str) -> dict[str, Any]:
-    """The JSON schema of a calculation's answer."""
+    """JSON schema of a calculation's answer."""
     return TypeAdapter(SOLVED[name].answer).json_schema()
 
 
 def _outside(found: Solution, want: Want) -> float | None:
-    """The input next to the edge that does not meet the target."""
+    """Input next to the edge that does not meet the target."""
     if found.value is None or found.status == "always":
         return None
     if found.bracket is not None:
@@ -290,7 +282,7 @@ def _outside(found: Solution, want: Want) -> float | None:
 
 
 def _values(calculation: Calculation, asked: RequestModel) -> Values:
-    """Values of an answer; a refusal names the fields of what was asked."""
+    """Values of an answer; a refusal names the fields of this request."""
     try:
         return calculation.solve(asked)
     except CalculationError as error:
@@ -298,7 +290,7 @@ def _values(calculation: Calculation, asked: RequestModel) -> Values:
 
 
 def _wrong(adapter: TypeAdapter[RequestModel], changed: dict[str, Any]) -> set[str]:
-    """Kinds of what is wrong with what was set in an input that is right."""
+    """Kinds of errors of values that were set in a valid input."""
     try:
         adapter.validate_python(changed)
     except ValidationError as error:
@@ -307,12 +299,12 @@ def _wrong(adapter: TypeAdapter[RequestModel], changed: dict[str, Any]) -> set[s
 
 
 def _is_of_a_list(error: Problem) -> bool:
-    """Whether a list does not fit the number that was set: no range of numbers cures that."""
+    """True if a list does not fit the number that was set, which no range of numbers cures."""
     return any(each.code == "different_length" for each in error.errors)
 
 
 def _refused(error: Exception) -> Exception:
-    """Why an input is refused, in the names of this request."""
+    """Reason for the refusal of an input, in the names of this request."""
     problem = wrong_fields(error) if isinstance(error, ValidationError) else error
     if not isinstance(problem, Problem):
         return error
@@ -324,7 +316,7 @@ def _is_number(value: Any) -> bool:
 
 
 def _at(answer: Values, target: list[str]) -> Any:
-    """What stands at a pointer of an answer; None where nothing does."""
+    """Value at a pointer of an answer; None if there is none."""
     found: Any = answer
     for part in target:
         found = inner(found, part)
@@ -332,14 +324,14 @@ def _at(answer: Values, target: list[str]) -> Any:
 
 
 class BestOut(ResponseModel):
-    """What comes closest to a target that nothing meets."""
+    """Closest result to a target that no input meets."""
 
     value: float = result("The input.")
     target: float = result("Its result.")
 
 
 class SolveResponse(AssumingResponse):
-    """Where the target is met."""
+    """Inputs that meet the target."""
 
     status: SolveStatus = Field(
         description="`always` where the whole range meets it, `several` where more than one "
@@ -369,7 +361,7 @@ class SolveResponse(AssumingResponse):
 
 
 def solve(body: SolveRequest) -> Values:
-    """The smallest or largest value of an input with which a result is what is wanted."""
+    """Smallest or largest value of an input at which a result meets its target."""
     (found, sets, linked, refused), run_time_us = timed(body.solve)
     accuracy = Accuracy("bracketing", TOLERANCE, found.evaluations)
     values: Values = {
@@ -394,7 +386,7 @@ def solve(body: SolveRequest) -> Values:
 def _standard(body: SolveRequest, found: Solution) -> float | None:
     if not body.variable.pointer.endswith("/pin_radius_mm") or found.value is None:
         return None
-    if "diameter_mm" in body.input.get("pin", {}):  # then it is a sleeve's
+    if "diameter_mm" in body.input.get("pin", {}):  # the contact is that of a sleeve
         return None
     radii = [size / 2 for size in PIN_SIZES]
     if body.want == "largest":

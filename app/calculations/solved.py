@@ -1,4 +1,4 @@
-"""Sections of an answer as they are solved, and what they say together."""
+"""Solved sections of an answer with their common accuracy and notices."""
 
 from dataclasses import dataclass, field
 
@@ -8,20 +8,20 @@ from core.errors import Accuracy, Notice
 
 @dataclass(slots=True)
 class Solved:
-    """Sections of an answer, and what they say of their accuracy and limits."""
+    """Sections of an answer with their accuracy and notices."""
 
     values: Values = field(default_factory=dict)
     accuracies: list[Accuracy] = field(default_factory=list)
     notices: dict[str, Notice] = field(default_factory=dict)
 
     def take(self, accuracy: Accuracy, notices: tuple[Notice, ...] = ()) -> None:
-        """Note what a section says; of notices alike the first."""
+        """Note accuracy and notices of a section; only the first of equal notices is kept."""
         self.accuracies.append(accuracy)
         for notice in notices:
             self.notices.setdefault(notice.code, notice)
 
     def answer(self, run_time_us: float) -> Values:
-        """The answer: accuracy by the worst section, with the method of the first."""
+        """Answer with the accuracy of the worst section and the method of the first."""
         worst = Accuracy(
             self.accuracies[0].method,
             max(float(each.relative_error) for each in self.accuracies),

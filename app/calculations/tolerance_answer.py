@@ -7,7 +7,7 @@ from core.tolerance.processes import ProcessName
 
 
 class EstimateOut(ResponseModel):
-    """A number of the sample with its 95 % interval."""
+    """Number of the sample with its 95 % interval."""
 
     value: float = result("The number.")
     low: float = result("Lower end of its 95 % interval.")
@@ -15,28 +15,28 @@ class EstimateOut(ResponseModel):
 
 
 class PercentileOut(EstimateOut):
-    """A percentile, by order statistics: its interval holds whatever the distribution is."""
+    """Percentile by order statistics, whose interval holds for any distribution."""
 
     percent: float = result("Share of the pieces below it, percent.")
 
 
 class YieldOut(EstimateOut):
-    """Share of all pieces that keep a limit; those that cannot be assembled do not. The interval is
-    that of Clopper and Pearson.
+    """Share of all pieces that keep a limit; pieces that cannot be assembled do not. The interval
+    is that of Clopper and Pearson.
     """
 
     limit: float = result("The limit: a lower one of the stiffness, an upper one of all else.")
 
 
 class HistogramOut(ResponseModel):
-    """How many pieces have which values."""
+    """Number of pieces by value."""
 
     edges: list[float] = result("Ends of the classes, one more than counts.")
     counts: list[int] = result("Pieces in each.")
 
 
 class ContributionOut(ResponseModel):
-    """What one tolerance does to a quantity."""
+    """Effect of one tolerance on a quantity."""
 
     source: str = result("The tolerance: its name in the request.")
     total: float = result(
@@ -54,7 +54,7 @@ class ContributionOut(ResponseModel):
 
 
 class QuantityOut(ResponseModel):
-    """One quantity of the pieces that fit; its name says the unit."""
+    """One quantity of the pieces that fit; its name states the unit."""
 
     nominal: Maybe[float] = result(
         "Of the piece at the middle of all limits; absent where that does not fit."
@@ -80,7 +80,7 @@ class QuantityOut(ResponseModel):
 
 
 class QuantitiesOut(ResponseModel):
-    """What is asked, over the turn of each piece."""
+    """Requested quantities, over the turn of each piece."""
 
     peak_force_N: Maybe[QuantityOut] = result("Largest force of all pairs.")
     max_pressure_MPa: Maybe[QuantityOut] = result("Largest pressure, as it is judged.")
@@ -95,8 +95,8 @@ class QuantitiesOut(ResponseModel):
 
 
 class StudyAccuracyOut(AccuracyOut):
-    """A statistical error: the relative error is the sum of the two below, and the interval of each
-    number says more.
+    """Statistical error: the relative error is the sum of the two below, and each number's interval
+    tells more.
     """
 
     sampling_error: float = Field(
@@ -109,9 +109,7 @@ class StudyAccuracyOut(AccuracyOut):
 
 
 class ProcessOut(ResponseModel):
-    """How the parts are made, and what follows from that alone: guides, as `GET /processes` has
-    them.
-    """
+    """Manufacturing processes of the parts and their guide values, as in `GET /processes`."""
 
     code: ProcessName = result(
         "Process of the holes; where only that of the pins is said, of these."
@@ -128,7 +126,7 @@ class ProcessOut(ResponseModel):
 
 
 class ToleranceStudyResponse(AssumingResponse):
-    """What tolerances do to the pieces."""
+    """Effect of tolerances on the pieces."""
 
     quantities: QuantitiesOut = result("Each quantity asked, or with a limit.")
     samples: int = result("Pieces drawn.")

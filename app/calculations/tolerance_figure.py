@@ -20,22 +20,7 @@ from app.units import core_name, shown_unit
 
 
 def tolerance_figure(name: str, quantity: dict[str, Any], theme: Theme) -> Figure:
-    """Ranked contributions of a quantity, or its histogram with percentiles and limit.
-
-    Parameters
-    ----------
-    name : str
-        API name of the quantity.
-    quantity : dict
-        What the answer says of it.
-    theme : {"light", "dark"}
-        Look of the figure.
-
-    Returns
-    -------
-    dict
-        ``{data, layout}``.
-    """
+    """Ranked contributions to a quantity of an API name, or its histogram with percentiles."""
     if "contributions" in quantity:
         return _ranked(quantity["contributions"], theme)
     return _histogram(name, quantity, theme)

@@ -1,4 +1,4 @@
-"""What tolerances do to the pieces: request and answer."""
+"""Effect of tolerances on the pieces: request and answer."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -72,42 +72,40 @@ Name = Literal[
 ]
 
 POSITIONS_PER_SECOND = 500_000
-"""Positions of a pair that a study may have for each second that a calculation may take: with the
-slowest law one processor solves some three times as many."""
+"""Number of positions of a pair allowed for each second of a calculation; one processor solves some
+three times as many with the slowest law."""
 
 LOST_MOTION_SOLVES = 3
-"""Solves of a position where the lost motion is asked: in both directions besides."""
+"""Number of solutions of a position for the lost motion, in both directions besides."""
 
 BACKLASH_SOLVES = 0.1
-"""What a position takes where the backlash alone is asked, whose ends are closed forms; not of
-given shares, whose room is looked at all around the turn.
-"""
+"""Cost of a position if only the backlash is requested, whose ends are closed forms; given shares
+need the room around the whole turn instead."""
 
 TURNS_IN_SERIES = 4
-"""How many times as many positions both meshes in series have, over all turns after which they
-repeat."""
+"""Factor on the number of positions of both meshes in series, over all turns of their period."""
 
 LOOKED_CLOSER = FINER * FINER_SAMPLES
-"""Samples that take as long as what shows what these positions miss."""
+"""Number of samples that take as long as the second look between positions."""
 
 FEWEST = 20
-"""Samples that a mechanism must allow: else it has too many pairs for a study."""
+"""Number of samples that a mechanism must allow; otherwise it has too many pairs for a study."""
 
 MAX_SAMPLES = 1_000_000
 
 DIAMETERS = ("pin_diameter", "hole_diameter")
-"""Tolerances that a fit says."""
+"""Tolerances that a fit states."""
 
 USUAL_SAMPLES = 4096
 USUAL_RANKED_SAMPLES = 1024
-"""Samples where none are given and as many fit, the second with contributions."""
+"""Number of samples if none is given and as many fit; the second one is with contributions."""
 
 
 _limit = partial(quantity, help="Limit whose yield is asked; its quantity is calculated too.")
 
 
 class LimitsFields(RequestModel, group="limits"):
-    """Limits of quantities: of the stiffness a lower one, of all else an upper one."""
+    """Limits of quantities: lower for the stiffness, upper for all others."""
 
     peak_force_N: Maybe[Size] = _limit("Limit of the peak force")
     max_pressure_MPa: Maybe[Size] = _limit("Limit of the pressure")
@@ -124,7 +122,7 @@ OF_RING_PINS = ("ring_peak_force_N", "ring_max_pressure_MPa")
 
 
 class ToleranceStudyRequest(RingInSeriesFields, group="study"):
-    """Mechanism, load and contact, what the parts are made to, and which results are wanted."""
+    """Mechanism, load and contact, tolerances of the parts, and the results that are wanted."""
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = tuple(
         Rule(f"tolerances/{name}", "only_one", "contact/fit") for name in DIAMETERS
@@ -174,15 +172,13 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
 
     @cached_property
     def spread(self) -> TolerancesFields:
-        """What the parts are made to, with the guides of processes: of a fit the classes of both
-        diameters.
-        """
+        """Tolerances with guide values of processes; a fit gives the classes of both diameters."""
         classes = self._classes_of_fit
         return self.tolerances.filled(without=classes).model_copy(update=classes)
 
     @property
     def _classes_of_fit(self) -> Values:
-        """Diameters that a fit says."""
+        """Diameters that a fit states."""
         if self.contact.fit is None:
             return {}
         hole, pin = self.contact.fit.split("/")
@@ -193,13 +189,11 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
 
     @cached_property
     def basic(self) -> RealContactFields:
-        """The contact by its nominal sizes: a fit's classes are about a hole of just the pin and
-        the eccentricity.
-        """
+        """Contact by nominal sizes; a fit's classes apply to a hole of pin plus eccentricity."""
         return self.contact.model_copy(update={"fit": None})
 
     def made(self, deviations: Deviations) -> RealMechanism:
-        """The mechanism of nominal sizes, in SI units."""
+        """Mechanism of nominal sizes, in SI units."""
         return replace(super().made(deviations), clearance=self.basic.sizes()["clearance"])
 
     @model_validator(mode="after")
@@ -214,14 +208,12 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
 
     @property
     def drawn(self) -> int:
-        """Samples that are drawn: those given, or as many of the usual as fit."""
+        """Number of samples: the given one, or as many of the usual number as fit."""
         usual = USUAL_RANKED_SAMPLES if "contributions" in self.include else USUAL_SAMPLES
         return self.samples or min(usual, self._fitting)
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse what exceeds the operator's limits, what takes too long, and percentiles that so
-        few samples do not give.
-        """
+        """Refuse inputs beyond the limits or too slow, and percentiles that need more samples."""
         self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
         self.refuse_other_shares(self.mechanism.satellites)
@@ -233,9 +225,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
                 raise refusal(f"/percentiles/{index}", error.code, **error.params) from error
 
     def refuse_longer(self, settings: Settings, times: int = 1) -> None:
-        """Refuse more samples than there is time for, if all is done so many times over; where
-        none are given so many fit.
-        """
+        """Refuse more samples than the time allows for `times` repetitions of the study."""
         budget = int(POSITIONS_PER_SECOND * settings.max_seconds)
         positions = times * self._positions_of_a_pair
         if self.in_series:
@@ -253,7 +243,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
 
     @property
     def _positions_of_a_pair(self) -> float:
-        """Positions at which a pair is solved for each sample, or what takes as long."""
+        """Number of solved positions of a pair for each sample, or their equivalent in time."""
         each = self._solves(self.names)
         if "contributions" in self.include:
             each += (2 * len(self.spread.spreads()) + 2) * self._solves(self.names[:1])
@@ -266,7 +256,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
 
     @property
     def positions(self) -> int:
-        """Positions at which each piece is solved."""
+        """Number of positions at which each piece is solved."""
         return self.crank_angles * (TURNS_IN_SERIES if self.in_series else 1)
 
     @property
@@ -281,7 +271,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
 
     @property
     def names(self) -> list[str]:
-        """Quantities that are calculated: those asked, and those with a limit."""
+        """Quantities that are calculated: requested ones, and those with a limit."""
         return list(dict.fromkeys([*self.quantities, *self.given_limits]))
 
     @cached_property
@@ -290,9 +280,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         return {**self.limits.given}
 
     def study(self, report: Report) -> Study:
-        """The study in SI units, which tells how much of it is done; on the operator's cluster,
-        where there is one.
-        """
+        """Study in SI units, which reports progress; on the operator's cluster if there is one."""
         given: Values = {
             "tolerances": self.spread.tolerances(self.basic, self.ring_pin_diameter),
             "asked": Evaluation(
@@ -322,8 +310,8 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         return replace(study, mapped=on_cluster(address, lost))
 
     def _counted(self, report: Report) -> Callable[[int], None]:
-        """What takes the number of pieces that are done, which begins anew with each contribution,
-        and tells their share of all.
+        """Function that takes the number of finished pieces, restarting for each contribution, and
+        reports their share of all.
         """
         before = last = 0
 
@@ -337,13 +325,13 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
 
     @property
     def _pieces(self) -> int:
-        """How many pieces are calculated."""
+        """Number of pieces that are calculated."""
         if "contributions" not in self.include:
             return self.drawn
         return self.drawn * (2 * len(self.spread.spreads()) + 3)
 
     def solve(self, report: Report = untold) -> tuple[Values, Accuracy]:
-        """What is asked for, and its accuracy; how much of it is done is reported, from 0 to 1."""
+        """Requested values with their accuracy; progress is reported from 0 to 1."""
         study = self.study(report)
         found = tolerance_study(study)
         quantities = {name: self._quantity(name, found) for name in self.names}
@@ -379,23 +367,23 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
 
     @property
     def guided(self) -> Values:
-        """What processes fill, by the names of tolerances."""
+        """Values that processes fill in, by names of tolerances."""
         said, guides = self._classes_of_fit, self.tolerances.guides
         return {name: each for name, each in guides.items() if name not in said}
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Also what processes fill."""
+        """Assumed values, with those that processes fill in."""
         yield from super().assumed()
         for name, value in self.guided.items():
             yield ("tolerances", name), value
 
     def notices(self) -> tuple[Notice, ...]:
-        """Also that tolerances are guides."""
+        """Notices, also that tolerances are guide values."""
         guides = (Notice("guide_tolerances"),) if self.guided else ()
         return (*super().notices(), *guides)
 
     def _process(self) -> Values:
-        """How the parts are made, and what of that is taken, where it is said."""
+        """Processes of the parts and the values taken from them, if stated."""
         made = self.tolerances.processes
         known = [made[part] for part in ("hole", "pin") if part in made]
         if not known:
@@ -413,7 +401,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         return {"process": said}
 
     def _few(self, found: ToleranceStudy) -> tuple[Notice, ...]:
-        """Percentiles that are left out since too few pieces fit."""
+        """Percentiles that are left out, as too few pieces fit."""
         fits, asked = int(found.fits.sum()), len(self.percentiles)
         if fits == 0:
             return (Notice("no_piece_fits"),)
@@ -421,15 +409,15 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         return (Notice("too_few_fit", {"fits": fits}),) if given < asked else ()
 
     def seen(self, name: str, value: Any) -> Any:
-        """A quantity of the output, in its unit, of what the satellites do against the pins."""
+        """Quantity of the output in its unit, from that of the satellites against the pins."""
         return from_si(name, value * factor_at_output(name, self.members))
 
     def estimate(self, estimate: Estimate, name: str) -> Values:
-        """A number of the sample, of the output, with its interval."""
+        """Number of the sample, as the output has it, with its interval."""
         return {end: self.seen(name, getattr(estimate, end)) for end in ("value", "low", "high")}
 
     def _percentiles(self, name: str, found: ToleranceStudy) -> list[Values]:
-        """The percentiles that the pieces which fit give."""
+        """Percentiles that the fitting pieces support."""
         given = []
         for percent in self.percentiles:
             with suppress(InvalidInput):
@@ -486,7 +474,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     def _sampling_error(
         self, name: str, quantities: dict[str, Values], found: ToleranceStudy
     ) -> float:
-        """Largest relative half width of a quantity's percentiles; of its mean where none are."""
+        """Largest relative half width of a quantity's percentiles, or of its mean without them."""
         column = found.column(core_name(name))
         if percentiles := quantities[name]["percentiles"]:
             return max(_relative(each["high"] - each["low"], each["value"]) for each in percentiles)
@@ -497,7 +485,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
 
 
 def _relative(width: float, value: float) -> float:
-    """Half an interval's width over its value, 1 at most; of a value of 0 nothing is known."""
+    """Half an interval's width over its value, at most 1, which holds for a value of 0 too."""
     if width == 0:
         return 0.0
     return min(width / 2 / abs(value), 1.0) if value else 1.0
@@ -509,13 +497,13 @@ def _estimate(estimate: Estimate, name: str = "") -> Values:
 
 
 def _histogram(values: FloatArray) -> Values:
-    """Classes by Rice's rule."""
+    """Histogram with classes by Rice's rule."""
     counts, edges = np.histogram(values, bins=max(1, math.ceil(2 * len(values) ** (1 / 3))))
     return {"edges": edges, "counts": counts}
 
 
 def reporting(body: ToleranceStudyRequest, report: Report) -> Values:
-    """The same as `solve`, which tells how much of it is done."""
+    """Values of the study; its progress is reported."""
     try:
         (values, accuracy), run_time_us = timed(lambda: body.solve(report))
     except Lost as error:
@@ -525,17 +513,18 @@ def reporting(body: ToleranceStudyRequest, report: Report) -> Values:
 
 
 def solve(body: ToleranceStudyRequest) -> Values:
-    """What tolerances do to peak force, backlash, lost motion and others: percentiles and yield of
-    pieces drawn from them, with their intervals, and which tolerance does most.
+    """Effect of tolerances on peak force, backlash, lost motion and others: percentiles and yield
+    of sampled pieces with their intervals, and the tolerance with the largest effect.
 
-    With `Accept: application/x-ndjson` in lines, at most four a second: `{"progress": 0.25}`, from
-    0 to 1, and at last `{"result": ...}` or `{"problem": ...}`. Closing the connection ends it.
+    The header `Accept: application/x-ndjson` asks for an answer in lines, at most four a second:
+    `{"progress": 0.25}`, from 0 to 1, and at last `{"result": ...}` or `{"problem": ...}`. Closing
+    the connection ends the study.
     """
     return reporting(body, untold)
 
 
 def figure(body: ToleranceStudyRequest, theme: Theme = "light") -> Figure:
-    """Histogram of the first quantity with its percentiles; with `contributions`, these ranked."""
+    """Histogram of the first quantity with its percentiles; with `contributions`, their ranking."""
     if "contributions" not in body.include:
         body = body.model_copy(update={"include": ["histogram"]})
     values, _ = body.solve()

@@ -1,4 +1,4 @@
-"""What the parts are made to, as a request gives it."""
+"""Tolerances of the parts, as a request states them."""
 
 import re
 from collections.abc import Collection, Iterator
@@ -33,7 +33,7 @@ PARTS: tuple[Part, ...] = get_args(Part)
 
 
 class _OneSpreadFields(RequestModel, group="tolerances"):
-    """How what a piece has once varies between its limits."""
+    """Distribution of a single deviation of a piece between its limits."""
 
     distribution: Distribution = quantity("Distribution", default="normal")
     """Normal, cut off at the limits, three standard deviations off the middle; or uniform."""
@@ -48,7 +48,7 @@ class _OneSpreadFields(RequestModel, group="tolerances"):
 
 
 class _SpreadFields(_OneSpreadFields, group="tolerances"):
-    """How a size or an angle of each part varies between its limits."""
+    """Distribution of a size or an angle of each part between its limits."""
 
     common: bool = quantity("Common to all", default=False)
     """Whether all such parts of a piece have the same: one batch, one tool."""
@@ -60,7 +60,7 @@ _upper = partial(quantity, "To", step=0.001, help="Upper limit of the deviation.
 
 
 class ToolSpreadFields(_OneSpreadFields, group="tolerances"):
-    """Limits of a tool's deviation, which is that of all discs of a piece."""
+    """Limits of a tool's deviation, which all discs of a piece share."""
 
     lower_mm: Deviation = _lower()
     upper_mm: Deviation = _upper()
@@ -71,7 +71,7 @@ class ToolSpreadFields(_OneSpreadFields, group="tolerances"):
         return self
 
     def spread(self) -> Spread:
-        """The same in SI units."""
+        """Limits and distribution in SI units."""
         return self._spread(to_si("lower_mm", self.lower_mm), to_si("upper_mm", self.upper_mm))
 
 
@@ -91,12 +91,12 @@ class PhaseSpreadFields(_SpreadFields, group="tolerances"):
         return self
 
     def spread(self) -> Spread:
-        """The same in SI units."""
+        """Limits and distribution in SI units."""
         return self._spread(to_si("lower_deg", self.lower_deg), to_si("upper_deg", self.upper_deg))
 
 
 SAID_BY_PROCESS = ("process", "pin_process", "hole_process")
-"""Fields that fill others, and vary nothing themselves."""
+"""Fields that fill in others and vary nothing themselves."""
 
 
 class _DiameterFields(_SpreadFields, group="tolerances"):
@@ -121,17 +121,11 @@ class _DiameterFields(_SpreadFields, group="tolerances"):
 
     @property
     def by_class(self) -> bool:
-        """Whether a class says its limits."""
+        """True if a class states its limits."""
         return "tolerance_class" in self.given
 
     def spread(self, diameter: float) -> Spread:
-        """Deviation of the radius in SI units, of a nominal diameter.
-
-        Raises
-        ------
-        InvalidInput
-            If no class is known of such a diameter.
-        """
+        """Deviation of the radius in SI units; refused if no class covers the nominal diameter."""
         if self.by_class:
             limits = class_limits(size=diameter, tolerance_class=self.given["tolerance_class"])
             return self._spread(limits.lower / 2, limits.upper / 2)
@@ -168,7 +162,7 @@ def _kind(given: Any) -> Literal["plus_minus", "limits"]:
 UNION_TAGS.update(("plus_minus", "limits"))
 
 Zone = Annotated[float, Field(ge=0, le=LARGEST)]
-"""A length about a middle, or 0 of what is exact."""
+"""Length about a middle, or 0 for an exact part."""
 
 AnglePlusMinus = Annotated[float, Field(ge=0, le=360)]
 LengthSpread = Annotated[
@@ -191,12 +185,12 @@ OF_THE_RING = (
     "equidistant_mm",
     "modification_pin_circle_mm",
 )
-"""Tolerances of a ring of pins and of the cycloid discs on it."""
+"""Tolerances of ring pins and of the cycloid discs on them."""
 
 
 class TolerancesFields(RequestModel, group="tolerances"):
-    """What the parts are made to; what is not named is exact. Each part of a piece has a deviation
-    of its own.
+    """Tolerances of the parts; parts that are not named are exact. Each part of a piece has a
+    deviation of its own.
     """
 
     process: Maybe[ProcessName] = quantity("Process")
@@ -234,13 +228,13 @@ class TolerancesFields(RequestModel, group="tolerances"):
 
     @property
     def processes(self) -> dict[Part, Process]:
-        """How pins and holes are made, as far as that is said."""
+        """Manufacturing processes of pins and holes, as far as they are stated."""
         said = {part: self.given.get(f"{part}_process", self.process) for part in PARTS}
         return {part: PROCESSES[name] for part, name in said.items() if name is not None}
 
     @cached_property
     def guides(self) -> Values:
-        """What processes fill: the values of fields that are not given."""
+        """Values that processes fill in for fields that are not given."""
         found: Values = {}
         for part, process in self.processes.items():
             found[f"{part}_position_mm"] = from_si("position_mm", process.position)
@@ -253,23 +247,17 @@ class TolerancesFields(RequestModel, group="tolerances"):
         return {name: value for name, value in found.items() if name not in self.given}
 
     def filled(self, without: Collection[str] = ()) -> "TolerancesFields":
-        """The same with the guides of their processes, but for fields that are said elsewhere."""
+        """Tolerances with guide values of their processes, except for fields stated elsewhere."""
         guides = {name: each for name, each in self.guides.items() if name not in without}
         values = TolerancesFields.model_validate(guides)
         return self.model_copy(update={name: getattr(values, name) for name in guides})
 
     def spreads(self) -> list[str]:
-        """Names of what varies."""
+        """Names of the tolerances."""
         return [name for name in self.given if name not in SAID_BY_PROCESS]
 
     def tolerances(self, contact: RealContactFields, ring_pin_diameter: float = 0.0) -> Tolerances:
-        """The same in SI units, for a contact's sizes, and the diameter of the pins of a ring.
-
-        Raises
-        ------
-        Problem
-            If no class is known of such a diameter.
-        """
+        """Tolerances in SI units, for the sizes of a contact and the diameter of ring pins."""
         sizes = contact.sizes()
         pin = 2 * sizes["pin_radius"]
         hole = pin + 2 * (sizes["eccentricity"] + sizes["clearance"])

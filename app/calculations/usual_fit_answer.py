@@ -1,4 +1,4 @@
-"""Answers of a design with what is usual of what is not known: its clearance, its ring."""
+"""Answers about a design with usual values of its unknown clearance or ring."""
 
 from pydantic import Field
 
@@ -14,7 +14,7 @@ from core.errors import if_known
 
 
 class UsualFitOut(ResponseModel):
-    """The design with a clearance as such parts usually have."""
+    """Design with a usual clearance."""
 
     fit_class: str = Field(
         alias="class", description="The fit, as H7/f7; `printed` of holes softer than 20 GPa."
@@ -41,7 +41,7 @@ class UsualFitOut(ResponseModel):
 
 
 def _largest_torque(results: Results) -> float | None:
-    """Torque at which the first check fails, N*m, as far as it is known."""
+    """Torque at the first failure, N*m, as far as it is known."""
     judged = crank_verdict(results, largest=True)
     if not judged.largest_torque_known or judged.torque_reserve is None:
         return None
@@ -49,16 +49,15 @@ def _largest_torque(results: Results) -> float | None:
 
 
 class SpreadOut(ResponseModel):
-    """What pieces have that are drawn."""
+    """Values that sampled pieces keep."""
 
     median: float = result("Half of them have no more.")
     percent_90: float = result("Nine tenths of them have no more.")
 
 
 class UsualModificationOut(ResponseModel):
-    """The design with a ring as such parts usually have: discs with a modification, where none is
-    known, and pins that stand anywhere in round zones. An upper estimate of forces, as only the
-    contacts give.
+    """Design with a usual ring: discs with a modification, if none is known, and pins anywhere in
+    round zones. Forces are an upper estimate, as only the contacts are elastic.
     """
 
     BESIDE = ("peak_force_N", "max_pressure_MPa", "backlash_arcmin", "largest_torque_Nm", "verdict")
@@ -88,7 +87,7 @@ class UsualModificationOut(ResponseModel):
 
     @classmethod
     def of(cls, found: UsualModification, *, largest: bool) -> Values:
-        """Values of the design with such a ring."""
+        """Values of the design with a usual ring."""
         at_output = found.results.design.members.angle_at_output
 
         def spread(name: str, median: float, percent_90: float) -> Values:

@@ -27,7 +27,7 @@ from core.work_precision.study import SETTINGS, Reference, WorkPoint, WorkPrecis
 from core.work_precision.tolerance import COST, tolerance_sampling_study
 
 MAX_ROLLERS = 24
-"""Most rollers of a study: its reference is calculated for each."""
+"""Largest number of rollers in a study, as the reference is calculated for each."""
 
 ONE_METHOD = {
     "crankshaft": "sampling",
@@ -42,13 +42,14 @@ ONE_METHOD = {
     "roller_sharing": "closed_form_gaps",
     "satellite-bearing": "sampling",
 }
-"""The only method of what is not compared, of ideal forces, by every name that it has had."""
+"""Only method of calculations that are not compared, by ideal forces, under all its former
+names."""
 
 compared = partial(Field, description="Whose methods are compared.")
 
 
 class Study(RequestModel):
-    """A study of one calculation, which repeats every method."""
+    """Study of one calculation, which repeats every method."""
 
     @abstractmethod
     def solve(self) -> WorkPrecision:
@@ -56,7 +57,7 @@ class Study(RequestModel):
 
 
 class NotCompared(RequestModel):
-    """A calculation of one method, with nothing to compare."""
+    """Calculation with one method and nothing to compare."""
 
     calculation: Literal[*ONE_METHOD]  # type: ignore[valid-type]
 
@@ -113,13 +114,13 @@ class LoadSharingStudy(Study):
     input: LoadSharingRequest
 
     def solve(self) -> WorkPrecision:
-        """The study, of a torque that alternates its driving direction."""
+        """Study under a torque; an alternating one in its driving direction."""
         stage = self.input.stage(self.input.real())
         return real_peak_study(real=stage, output_torque=self.input.torque)
 
 
 class ComparedMeshRequest(RingMeshRequest):
-    """Cycloid discs on the pins of their ring: of involute teeth all is in closed form."""
+    """Cycloid discs on their ring pins; involute teeth have closed forms only."""
 
     gear: CycloidRingFields
 
@@ -137,15 +138,13 @@ class RingMeshStudy(Study):
 
 
 class ToleranceSamplingStudy(Study):
-    """The highest percentile asked of the first quantity, its mean where none is."""
+    """Highest requested percentile of the first quantity, or its mean."""
 
     calculation: Literal["tolerance-study"] = compared()
     input: ToleranceStudyRequest
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse what the operator does not allow, or what takes too long, as often as it is done
-        here.
-        """
+        """Refuse inputs beyond the operator's limits, or too slow for the repetitions here."""
         self.input.refuse_longer(settings, COST)
         self.input.refuse_beyond(settings)
 
@@ -169,11 +168,11 @@ WorkPrecisionRequest = Annotated[
 COMPARED = [
     get_args(each.model_fields["calculation"].annotation) for each in Study.__subclasses__()
 ]
-"""Names of each calculation whose methods are compared, its older ones behind."""
+"""Names of each calculation whose methods are compared, with former names behind."""
 
 
 class ReferenceOut(ResponseModel):
-    """What the errors are measured against."""
+    """Reference against which errors are measured."""
 
     method: str = result("How the reference was got, in English.")
     method_code: str = result("The same by code.")
@@ -220,10 +219,10 @@ class WorkPrecisionResponse(ResponseModel):
 
 
 EXACT = 1e-17
-"""Where an error of nothing is drawn: below the rounding of any double."""
+"""Place of an error of 0 in the figure, below the rounding of any double."""
 
 SYMBOLS = ("circle", "square", "triangle-up")
-"""Marks that tell methods apart whose colours and dashes repeat."""
+"""Marks of methods whose colours and dashes repeat."""
 
 
 def work_precision_figure(answer: Values, theme: Theme) -> Figure:
@@ -294,7 +293,7 @@ def solve(body: WorkPrecisionRequest) -> Values:
 
 
 def figure(body: WorkPrecisionRequest, theme: Theme = "light") -> Figure:
-    """The same as a diagram, both axes logarithmic."""
+    """Error against run time as a diagram with logarithmic axes."""
     return work_precision_figure(solve(body), theme)
 
 

@@ -1,6 +1,6 @@
-"""Files of a design for other programs: each of the design and its results, of nothing else.
+"""Files of a design for other programs, made from the design and its results alone.
 
 Modules
 -------
-dxf     satellites and the pins of their ring, for drawing and cutting
+dxf         satellites and ring as drawings for cutting
 """

@@ -1,4 +1,4 @@
-"""Satellites and their ring, its pins or its teeth, as DXF files, for drawing and cutting."""
+"""Satellites and their ring, with pins or teeth, as DXF files for drawing and cutting."""
 
 import io
 import re
@@ -40,37 +40,37 @@ PART = r"satellite_([1-9]\d{0,2})|ring_pins|ring"
 """Names of parts."""
 
 MOST_CIRCLES = 1000
-"""Most holes, and most pins of a ring: a file of so many takes a second."""
+"""Largest number of holes, and of ring pins, as a file of so many takes a second."""
 
 FORMAT = "R2010"
-"""Of the files: no newer one has anything that they need."""
+"""Version of the files; newer ones have nothing that they need."""
 
 LAYERS = {"OUTLINE": 7, "HOLES": 5, "BORE": 3, "PINS": 1, "CENTRE": 4, "TITLE": 8}
 """Layers of each file, with their colours by number."""
 
 CENTRE_LINE = (50.8, 31.75, -6.35, 6.35, -6.35)
-"""Long and short dashes of centre lines: a repeat, and its pieces."""
+"""Long and short dashes of centre lines: length of a repeat, and its pieces."""
 
 DASHES = 40.0
-"""Repeats of that along a drawing."""
+"""Number of repeats of the dash pattern along a drawing."""
 
 BEYOND = 1.15
-"""Length of the lines of a centre over the diameter that they cross."""
+"""Length of centre lines over the diameter that they cross."""
 
 LINES = 60.0
-"""Lines of text that a part is high."""
+"""Height of a part in lines of text."""
 
 DIGITS = 12
-"""Decimals of millimetres below which there is rounding alone."""
+"""Decimals of millimetres that exceed rounding."""
 
 MADE_BY = f"KHV Calc {VERSION}"
 
 EARLIEST = (1980, 1, 1, 0, 0, 0)
-"""Date of a file in a ZIP, which has none earlier: the same request is the same file."""
+"""Date of files in a ZIP, the earliest possible, so that equal requests give equal files."""
 
 
 class DxfRequest(RequestModel, group="drawing"):
-    """A design, and which of its parts are drawn."""
+    """Design, and the parts that are drawn."""
 
     design: CrankPlanetaryRequest = Field(
         description="The request of /crank-planetary, with a ring of pins whose modification is "
@@ -107,7 +107,7 @@ class DxfRequest(RequestModel, group="drawing"):
         return self
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse what the design's own request does, and more circles than are drawn."""
+        """Refuse inputs that the design's own request refuses, and too many circles."""
         try:
             self.design.refuse_beyond(settings)
         except Problem as error:
@@ -118,17 +118,17 @@ class DxfRequest(RequestModel, group="drawing"):
 
     @property
     def involute(self) -> bool:
-        """Whether satellites and ring have involute teeth."""
+        """True if satellites and ring have involute teeth."""
         return self.design.ring_kind == "involute"
 
     @property
     def satellites(self) -> tuple[int, ...]:
-        """Numbers of the satellites that are asked for, each once."""
+        """Numbers of the requested satellites, each once."""
         found = (re.fullmatch(PART, name) for name in dict.fromkeys(self.parts))
         return tuple(int(each[1]) for each in found if each and each[1])
 
     def drawn(self) -> list["_Part"]:
-        """The parts in the order in which they are asked for, each once."""
+        """Requested parts in their order, each once."""
         design, error = self.design.design, to_si("chord_error_mm", self.chord_error_mm)
         parts = {}
         if not self.involute:
@@ -150,18 +150,18 @@ class _Circles(NamedTuple):
 
     layer: str
     pitch: float  # radius of the circle of their centres
-    centres: FloatArray  # X and Y of each
+    centres: FloatArray  # X and Y of each circle
     radius: float
 
 
 class _Part(NamedTuple):
-    """What is drawn of a part; mm."""
+    """Drawing of a part; mm."""
 
-    reach: float  # how far it goes from the origin
+    reach: float  # largest distance from the origin
     outline: FloatArray | None  # X and Y of the points of a closed polygon
     circles: _Circles
     bore: float | None  # radius
-    said: dict[str, str]  # what a program may want to know of it, by name
+    said: dict[str, str]  # properties for other programs, by name
     title: list[str]  # lines of text
 
 
@@ -205,7 +205,7 @@ def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
 
 
 def _teeth(design: Design, teeth: int, shift: float | None) -> tuple[str, str]:
-    """What is said of involute teeth."""
+    """Texts about involute teeth."""
     own = design.involute
     module = from_si("module_mm", own.module)
     angle = from_si("angle_deg", own.reference_pressure_angle)
@@ -255,12 +255,12 @@ def _ring_pins(drawn: DrawnRingPins) -> _Part:
 
 
 def write(body: DxfRequest) -> File:
-    """Satellites and the pins or the teeth of their ring as DXF files, in millimetres, by their
-    nominal sizes: the outline of a cycloid disc or of involute teeth as a closed polyline with its
-    chord error measured, holes, bore and pins as circles.
+    """Satellites and the pins or teeth of their ring as DXF files, in millimetres, by nominal
+    sizes.
 
-    One part is a DXF file, several are a ZIP. All stand as at the crank angle 0, satellites about
-    their own centres.
+    Outlines of cycloid discs or involute teeth are closed polylines with the measured chord error;
+    holes, bore and pins are circles. One part makes a DXF file, several make a ZIP. All parts are
+    at crank angle 0, satellites about their own centres.
     """
     try:
         parts = body.drawn()
@@ -280,7 +280,7 @@ def write(body: DxfRequest) -> File:
 
 def _file(part: _Part) -> bytes:
     """A part as the bytes of a DXF file."""
-    import ezdxf  # some of a second, where a file is asked for
+    import ezdxf  # slow import, needed for files only
     from ezdxf import units
 
     ezdxf.options.write_fixed_meta_data_for_testing = True  # neither times nor ids by chance
@@ -296,7 +296,7 @@ def _file(part: _Part) -> bytes:
     high = BEYOND * part.reach
     drawing.modelspace().reset_extents((-high, low, 0), (high, high, 0))
     drawing.set_modelspace_vport(high - low, (0, (high + low) / 2))
-    # by name: else they stand in the order of a set of texts, which each process has otherwise
+    # Sorted by name, as the order of a set of texts differs between processes.
     for kind in sorted(drawing.entitydb.dxf_types_in_use()):
         drawing.classes.add_class(kind)
     text = io.StringIO()
@@ -305,12 +305,12 @@ def _file(part: _Part) -> bytes:
 
 
 def _draw(part: _Part, space: "Modelspace") -> float:
-    """Draw a part, and say how low it reaches."""
+    """Draw a part, and return its lowest place."""
     on = {name: {"layer": name} for name in LAYERS}
     layer, pitch, centres, radius = part.circles
     if part.outline is not None:
         polygon = space.add_lwpolyline((), close=True, dxfattribs=on["OUTLINE"])
-        # in one piece: of points that are added one by one all before are copied each time
+        # All points at once, as each single addition would copy all points before.
         polygon.lwpoints.extend(np.column_stack((part.outline, np.zeros((len(part.outline), 3)))))
     if part.bore is not None:
         space.add_circle((0, 0), part.bore, dxfattribs=on["BORE"])

@@ -1,4 +1,4 @@
-"""Checks of the balance: what turns with the crankshaft against what is asked, or is usual."""
+"""Checks of unbalance of the parts turning with the crankshaft, by requested or usual limits."""
 
 from typing import Any
 
@@ -8,7 +8,7 @@ from core.design.document import Design
 from core.design.results import Results
 
 GRADE = 16e-3
-"""Usual speed of the centre of what turns about the axis, m/s: G 16 of ISO 21940-11."""
+"""Usual speed of the centre of mass about the axis, m/s: G 16 of ISO 21940-11."""
 
 _GRADE, _SHARE = "balance_grade", "max_unbalance_share"
 
@@ -22,7 +22,7 @@ _check = Element(
     why="Above it the reducer shakes with every turn of the crank.",
 )
 _INPUTS = (
-    of.OF_DISCS,  # of a share of what the mechanism does
+    of.OF_DISCS,  # inputs of the load that `max_unbalance_share` refers to
     "load.input_speed crankshaft.satellite_mass crankshaft.satellite_positions",
     "crankshaft.bearing_positions crankshaft.counterweights crankshaft.rotor_mass",
     "requirements.max_unbalance_share requirements.balance_grade",
@@ -30,9 +30,9 @@ _INPUTS = (
 
 
 def _limit(results: Results, value: float, demand: str, asked: float) -> float:
-    """Limit of a value by what is asked: of a grade the force of a centre of what turns that is so
-    fast, N; of a share where what is not balanced may load each bearing by a share of the most that
-    the mechanism does there: both grow together.
+    """Limit of an unbalanced force, N, or couple, N*m, by one requirement. A grade limits the force
+    of a centre of mass at that speed; a share limits each bearing's unbalanced load over the
+    largest working load there, as both are proportional.
     """
     if demand == _GRADE:
         return asked * results.design.rotor_mass * results.design.known_speed
@@ -44,8 +44,8 @@ def _limit(results: Results, value: float, demand: str, asked: float) -> float:
 
 
 def _unbalanced(name: str, code: str, *demands: str, usual: bool, **said: Any) -> Kind:
-    """An unbalanced force or couple against the least limit that is asked; without one the force
-    against the usual grade, and the couple, of which no grade says anything, against nothing.
+    """Check of an unbalanced force or couple against the least requested limit. Without one a force
+    is judged by the usual grade, and a couple, for which no grade exists, is not.
     """
     paths = tuple(f"requirements.{each}" for each in demands)
 

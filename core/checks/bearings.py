@@ -1,7 +1,7 @@
-"""Checks of rolling bearings: of the satellites, of the crankshaft, and as rollers on the pins.
+"""Checks of rolling bearings of the satellites, of the crankshaft, and as rollers on the pins.
 
-A sort of check is written once, as what its records have in common and as a function; a row for
-each place has the codes.
+Each sort of check is written once, as common fields of its records and a function; a row for each
+place has the codes.
 """
 
 import math
@@ -32,7 +32,7 @@ from core.design.sections import RollingBearing
 from core.errors import Accuracy, NotKnown, required
 
 PRESSED = 1e-4
-"""Excess of a bearing's outside over its seat that is pressed in, m."""
+"""Excess of a bearing's outside over its seat that can be pressed in, m."""
 
 _SORTS: dict[str, dict[str, Any]] = {
     "life": {
@@ -98,7 +98,7 @@ ROWS = (SATELLITE, CRANKSHAFT, ROLLERS)
 
 
 _Life = tuple[float, float, Mapping[str, Any]]
-"""A life, s, its exponent over the load, and where it is."""
+"""Life in s, its exponent over the load, and its place."""
 
 _PLACES = "load.pin_circle_radius load.input_speed load.output_torque"
 
@@ -106,7 +106,7 @@ _PLACES = "load.pin_circle_radius load.input_speed load.output_torque"
 def _lasting(
     kind: Kind, limit: float, lives: Sequence[_Life], accuracy: Accuracy, *, solved: bool
 ) -> Check:
-    """The shortest of lives, under loads of an accuracy."""
+    """Check of the shortest of several lives."""
     value, _, at = min(lives, key=lambda each: each[0])
     reserve = min((life / limit) ** (1 / power) for life, power, _ in lives)
     error = 4 * max(power for _, power, _ in lives) * float(accuracy.relative_error)
@@ -114,7 +114,7 @@ def _lasting(
 
 
 def _static_safety(design: Design, elements: Bearing) -> float:
-    """Static safety of bearings of such rolling elements that is asked, or usual."""
+    """Static safety of bearings that is requested, or usual for their rolling elements."""
     asked, load = design.requirements.static_safety, design.load
     usual = STATIC_SAFETY[elements]
     if load.peak_torque is not None:
@@ -123,7 +123,7 @@ def _static_safety(design: Design, elements: Bearing) -> float:
 
 
 def _safe(kind: Kind, results: Results, value: float, **more: Any) -> Check:
-    """A static safety against the one that is asked, or usual."""
+    """Check of a static safety."""
     asked = results.design.requirements.static_safety
     limit = kind.known(results.design, results)["limit"]
     source = "" if asked else "static_guide"
@@ -131,7 +131,7 @@ def _safe(kind: Kind, results: Results, value: float, **more: Any) -> Check:
 
 
 def _turning(kind: Kind, path: str, speeds: Iterable[tuple[float, float | None]]) -> Check:
-    """Speeds, each against its limit, where one has one."""
+    """Check of speeds against their limits, as far as limits are given."""
     each = list(speeds)
     limited = [(speed, limit) for speed, limit in each if limit is not None]
     if not limited:
@@ -142,7 +142,7 @@ def _turning(kind: Kind, path: str, speeds: Iterable[tuple[float, float | None]]
 
 
 def _fitting(kind: Kind, room: float, *, wide: bool) -> Check:
-    """Room for a bearing, which may stand out of its satellite."""
+    """Check of the room for a bearing; one wider than its satellite (`wide`) is marginal."""
     found = kind.judged(room, 0.0)
     if found.status == "fail" or not wide:
         return found
@@ -150,7 +150,7 @@ def _fitting(kind: Kind, room: float, *, wide: bool) -> Check:
 
 
 def _possible(kind: Kind, bearing: RollingBearing, bounds: Bounds, **more: Any) -> Check:
-    """Judge the larger rating over the largest that fits: there may be no such bearing."""
+    """Check of the larger rating over the largest that such a bearing can have."""
     given = (
         (bearing.dynamic_rating, bounds.dynamic),
         (bearing.static_rating, bounds.static),
@@ -167,14 +167,14 @@ def _possible(kind: Kind, bearing: RollingBearing, bounds: Bounds, **more: Any) 
 
 
 def _known_sizes(bearing: RollingBearing, *paths: str) -> tuple[float, ...]:
-    """Bore, outer diameter and width of a bearing, m, which have to be given."""
+    """Bore, outer diameter and width of a bearing, m; `NotKnown` unless all are given."""
     if not bearing.sizes:
         raise NotKnown("envelope_unknown", *paths)
     return bearing.sizes
 
 
 def _largest(bearing: RollingBearing, *paths: str) -> Bounds:
-    """Largest ratings of a bearing by its sizes, which have to be given."""
+    """Largest ratings of a bearing by its sizes; `NotKnown` unless all are given."""
     bore, outer, width = _known_sizes(bearing, *paths)
     return largest_ratings(kind=bearing.kind, bore_diameter=bore, outer_diameter=outer, width=width)
 
@@ -186,17 +186,17 @@ _SEAT = (
     "satellite_body.bore_radius contact.contact_length contact.eccentricity",
     "crankshaft.eccentric_diameter crankshaft.shaft_diameter",
 )
-"""Inputs of the satellites' bearings and the room for them."""
+"""Inputs of the satellite bearings and the room for them."""
 
 
 def _seat(design: Design) -> float:
-    """Diameter of the seat of the satellites' bearings, m; infinite where it is not given."""
+    """Diameter of the seat of the satellite bearings, m; infinite if it is not given."""
     body = design.satellite_body
     return 2 * body.bore_radius if body and body.bore_radius is not None else math.inf
 
 
 def _least_bore(design: Design) -> float:
-    """Least bore of the satellites' bearings: the eccentric, or what encloses the shaft, m."""
+    """Least bore of the satellite bearings, m: the eccentric, or the circle around the shaft."""
     shaft = design.crankshaft
     if shaft and shaft.eccentric_diameter is not None:
         return float(shaft.eccentric_diameter)
@@ -302,7 +302,7 @@ def crank_bearing_life(kind: Kind, design: Design, results: Results) -> Check:
     inputs=("bearing.kind bearing.dynamic_rating bearing.static_rating", _SEAT),
 )
 def bearing_rating(kind: Kind, design: Design, results: Results) -> Check:
-    """By the sizes, or else by the room for them; without any it is that there is no room."""
+    """Judge ratings by the sizes of the bearing, or else by the room for it."""
     bearing, outer = design.bearing, _seat(design)
     least = _least_bore(design) if not bearing.sizes and math.isfinite(outer) else math.inf
     if not least < outer:
@@ -327,7 +327,7 @@ def bearing_rating(kind: Kind, design: Design, results: Results) -> Check:
     needed=False,
 )
 def bearing_fits(kind: Kind, design: Design, results: Results) -> Check:
-    """By their sizes; where these are not given only that there is no room for any."""
+    """Judge the room by the sizes of the bearing; without sizes only a lack of room is found."""
     least, seat, bearing = _least_bore(design), _seat(design), design.bearing
     room = seat - least
     if bearing.sizes or seat > least:
@@ -350,7 +350,7 @@ def bearing_speed(kind: Kind, design: Design, results: Results) -> Check:
 
 
 def _rating(design: Design) -> float:
-    """Dynamic rating of the satellites' bearings, which has to be given, N."""
+    """Dynamic rating of the satellite bearings, N; `NotKnown` if it is not given."""
     return required(design.bearing.dynamic_rating, "rating_unknown", "bearing.dynamic_rating")
 
 
@@ -458,14 +458,14 @@ _PEAK = (of.LOADED, "load.peak_torque")
     requires={"rollers.dynamic_rating": "rating_unknown"},
 )
 def pin_roller_life(kind: Kind, design: Design, results: Results) -> Check:
-    design.known_speed  # noqa: B018 - of which the life is a matter
+    design.known_speed  # noqa: B018 - raises without a speed, as the life needs it
     found, power = results.roller_loads, EXPONENTS[_elements(design)]
     lives = [(found.life, power, {"satellite": found.satellite, "pin": found.pin})]
     return _lasting(kind, design.life, lives, found.accuracy, solved=results.solved)
 
 
 def _elements(design: Design) -> Bearing:
-    """Rolling elements of the rollers."""
+    """Rolling elements of the rollers on the pins."""
     return pin_rollers.KINDS[design.rollers.kind]
 
 
@@ -518,7 +518,7 @@ def pin_roller_max_load(kind: Kind, design: Design, results: Results) -> Check:
     source="track_rollers",
 )
 def pin_roller_min_load(kind: Kind, design: Design, results: Results) -> Check:
-    """Judge the largest load over the turn: half of it no roller is loaded."""
+    """Judge the largest load over the turn, as no roller is loaded during half of it."""
     name = "rollers.static_rating"
     limit = pin_rollers.MIN_LOAD * required(design.rollers.static_rating, "rating_unknown", name)
     found = results.roller_loads
@@ -550,7 +550,7 @@ def pin_roller_speed(kind: Kind, design: Design, results: Results) -> Check:
     inputs=("rollers.width rollers.per_satellite pin.satellite_positions contact.contact_length",),
 )
 def pin_roller_fits(kind: Kind, design: Design, results: Results) -> Check:
-    """Between satellites, where their places are given; wider than them they stand out."""
+    """Judge the room between satellites; rollers wider than the satellite are marginal."""
     length = design.rollers.length
     if math.isinf(length):
         raise NotKnown("size_missing", "rollers.width")

@@ -1,4 +1,4 @@
-"""A check and its record, a value against its limit, the verdict of parts and of all checks."""
+"""Check, its record, comparison of a value with its limit, verdicts of parts and of the whole."""
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Set
@@ -26,52 +26,52 @@ MARGIN = 1.1
 Given = TypeVar("Given")
 
 Judge = Callable[..., "Check | Measure"]
-"""Makes the check of a design; of what somebody may ask, a measure will do."""
+"""Function that makes the check of a design; it may return a `Measure` if the limit is
+requested."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Kind:
-    """Record of a check, at the function that makes it."""
+    """Record of a check, attached to the function that makes it."""
 
-    code: str  # its name in answers
-    title: str  # its name in English
-    group: str  # what it is about, a key of `GROUPS`
-    part: str = ""  # of the reducer that it judges, a key of `PARTS`; of other calculations none
-    needed: bool = True  # whether its part is open where it cannot be made
-    formula: str  # what has to hold
-    why: str  # what is wrong where it does not hold, in English
-    inputs: tuple[str, ...]  # paths of what it depends on
-    fixes: tuple[str, ...] = ()  # and of what a fix may change
-    unit: str = ""  # of value and limit, as names end in it; empty for plain numbers
-    source: str = "geometry"  # where the formula comes from, a key of `CHECK_SOURCES`
-    keep: Literal["below", "above"] = "below"  # on which side of the limit the value has to stay
-    needs: tuple[str, ...] = ()  # what has to be there of a design: it is made of no other one
-    # What has to be given besides, by its path, with the code of why nothing is known without it.
+    code: str  # name in answers
+    title: str  # name in English
+    group: str  # subject, a key of `GROUPS`
+    part: str = ""  # part of the reducer that is judged, a key of `PARTS`; empty for other gears
+    needed: bool = True  # True if the part is open without the check
+    formula: str  # condition that has to hold
+    why: str  # consequence of a failure, in English
+    inputs: tuple[str, ...]  # paths of all inputs
+    fixes: tuple[str, ...] = ()  # paths of inputs that a fix may change
+    unit: str = ""  # unit of value and limit, as in names of fields; empty for plain numbers
+    source: str = "geometry"  # source of the formula, a key of `CHECK_SOURCES`
+    keep: Literal["below", "above"] = "below"  # allowed side of the limit
+    needs: tuple[str, ...] = ()  # sections that a design must have for the check to be made
+    # Further required inputs, by path, with the code of the reason if they are not given.
     requires: Mapping[str, str] = field(default_factory=dict)
-    # Why it is no check of a design, a code; empty of others.
+    # Function that returns a code why the check does not apply to a design; empty if it applies.
     not_of: Callable[..., str] = field(default_factory=lambda: lambda *_: "")
-    demands: tuple[str, ...] = ()  # paths: where none is given nobody asks what is not known
-    asks: str = ""  # requirement that is its limit, where somebody may ask it
-    impossible: bool = False  # whether what fails by it cannot exist or move
-    only_asked: bool = False  # whether its value is not looked for where nobody does
-    asked_alone: bool = False  # whether it needs nothing else where that is asked
-    # Attributes of the check that are known although its value is not, as its limit.
+    demands: tuple[str, ...] = ()  # requirements; without any, an unknown value is `not_asked`
+    asks: str = ""  # requirement that states the limit, if a user may request one
+    impossible: bool = False  # True if a design that fails cannot exist or move
+    only_asked: bool = False  # True if the value is calculated only when a limit is requested
+    asked_alone: bool = False  # True if a requested limit makes the check need no sections
+    # Function that returns attributes known without the value, such as the limit.
     known: Callable[..., dict[str, Any]] = field(default_factory=lambda: lambda *_: {})
-    judge: "Judge"  # the check of a design, told which it is
+    judge: "Judge"  # function that makes the check; the record is its first argument
 
     @property
     def loaded(self) -> bool:
-        """True where the torque of the output moves it."""
+        """True if the check depends on the output torque."""
         return "load.output_torque" in self.inputs
 
     def sections(self, given: Set[str]) -> tuple[str, ...]:
-        """Sections that a design has to have, where it has these, or asks them."""
+        """Sections that the check needs; `given` are a design's sections and requested limits."""
         return (self.asks,) if self.asked_alone and self.asks in given else self.needs
 
     def of(self, *design: Any, unforced: bool = False) -> "Check":
-        """The check of a design, which has the requirements, and of what follows from it, as its
-        function takes them; it says why where it could not be made. Unforced, no force is known, as
-        the parts that hand it on cannot exist or move.
+        """Check of a design and its results; it states the reason if it could not be made.
+        `unforced` marks a design whose meshes cannot exist or move, so that no force is known.
         """
         try:
             found = self._found(*design, unforced=unforced)
@@ -89,7 +89,7 @@ class Kind:
         return found
 
     def _found(self, *design: Any, unforced: bool) -> "Check | Measure":
-        """Call its function, where nothing here keeps it from looking."""
+        """Call the check's function, unless the design rules the check out."""
         if reason := self.not_of(*design):
             return Check(self, "not_applicable", reason=reason)
         for path, code in self.requires.items():
@@ -101,7 +101,7 @@ class Kind:
         return self.judge(self, *design)
 
     def _asked(self, found: "Check | Measure", limit: float | None) -> "Check":
-        """Judge what was found against a limit that somebody may ask."""
+        """Judge what was found against a limit that a user may request."""
         if isinstance(found, Check) and found.status == "not_applicable":
             return found._replace(limit=limit)
         if limit is None:
@@ -116,7 +116,7 @@ class Kind:
         return check._replace(utilisation=found.used(limit)) if found.used else check
 
     def unknown(self, why: NotKnown | ImpossibleMechanism) -> "Check":
-        """The check where it could not be made, by why what it looks at is not known."""
+        """Check that could not be made, with the reason."""
         found = Check(self, "not_checked", reason=why.code)
         if isinstance(why, ImpossibleMechanism):
             return found._replace(params=why.where | why.params)
@@ -132,22 +132,17 @@ class Kind:
         warning: str = "",
         **more: Any,
     ) -> "Check":
-        """The check by a value and its limit, with other attributes that it has.
+        """Check of a value against its limit; `more` sets further attributes.
 
         Parameters
         ----------
-        value, limit : float
-            What is compared.
         reserve : float, optional
-            Factor on the torque at which it is at its limit.
+            Factor on the torque at which the value is at its limit.
         error : float
-            Relative error of the value, of number and model: where the limit lies within, the check
-            is marginal. Without a finite error it is not checked, nor where the value may be
-            anything down to 0, from an error of 1 on, with a smaller limit.
+            Relative error of value and model. A limit within the error makes the check marginal. An
+            infinite error leaves it unchecked, as does an error of 1 or more with a smaller limit.
         warning : str
-            Reason where it does not hold, if that is a warning only.
-        **more
-            Other attributes of the check.
+            Reason of a failure that is only a warning.
 
         Examples
         --------
@@ -160,14 +155,14 @@ class Kind:
         2.0
         """
         part, whole = (value, limit) if self.keep == "below" else (limit, value)
-        used = whole > 0 and part >= 0 and limit > 0  # of a limit of 0 there is nothing to use
+        used = whole > 0 and part >= 0 and limit > 0  # a limit of 0 has no utilisation
         utilisation = part / whole if used else None
         doubtful = abs(value - limit) <= error * abs(value)
         if not error < (1.0 if value > limit else math.inf):
             more |= {"reason": "value_unknown"}
             return Check(self, "not_checked", value=value, limit=limit, **more)
         status: Status = "pass"
-        if doubtful and reserve is not None:  # without one: sizes that are asked for are there
+        if doubtful and reserve is not None:  # a size equal to its requested limit passes
             status = "marginal"
             if error > AS_TYPED:
                 more.setdefault("reason", "pressure_error")
@@ -189,9 +184,7 @@ class Kind:
         )
 
     def gap(self, width: float, *, size: float) -> "Check":
-        """A gap of a width, m, that has to be there, else the part cannot exist; between parts of a
-        size, m, of which rounding may take `AS_TYPED`.
-        """
+        """Check of a gap, m, that has to exist; rounding may take `AS_TYPED` of `size`, m."""
         there = width > AS_TYPED * size
         found = self.judged(width if there else min(width, 0.0), 0.0)
         return found if there else found._replace(status="fail", impossible=True)
@@ -199,9 +192,7 @@ class Kind:
     def wall(
         self, width: float, *, size: float, least: float | None = None, guide: float | None = None
     ) -> "Check":
-        """A wall, as `gap`, that is at least as wide as is asked, or else as is usual, below which
-        it is marginal; m.
-        """
+        """Check of a wall, m, against a requested least wall; a usual one (`guide`) only warns."""
         found = self.gap(width, size=size)
         if found.status == "fail":
             return found._replace(limit=least or guide or 0.0)
@@ -213,9 +204,10 @@ class Kind:
 
 
 class Element:
-    """A machine element: what the records of its checks have in common. For one of several, as
-    rolling bearings, codes are those of its checks by their sort (``sort=code``), sorts what all
-    records of a sort say, and words what title and reason there call it.
+    """Machine element: common fields of the records of its checks.
+
+    For one of several similar elements, `codes` maps sorts of check to codes (``sort=code``),
+    `sorts` has fields common to a sort, and `words` fills placeholders in title and reason.
     """
 
     def __init__(
@@ -234,130 +226,103 @@ class Element:
         self.sorts, self.words = sorts or {}, words or {}
 
     def __call__(self, code: str, **own: Any) -> Callable[[Judge], Kind]:
-        """Decorator of a function that is a check of it, which becomes its record, by its code and
-        what its own record says besides, or instead; sections and paths as words.
-        """
+        """Decorator that makes a function the record of a check; `own` overrides common fields."""
         said = self.common | own
         said |= {name: paths(said.get(name, ())) for name in ("needs", "inputs", "fixes")}
         return lambda judge: Kind(code=code, judge=judge, **said)
 
     def check(self, sort: str, **own: Any) -> Callable[[Judge], Kind]:
-        """As a call, of its check of a sort."""
+        """Decorator as `__call__`, for a check of a sort."""
         of = {**self.sorts.get(sort, {}), **own}
         words = {name: of[name].format(**self.words) for name in ("title", "why")}
         return self(self.codes[sort], **of | words)
 
 
 class Check(NamedTuple):
-    """One check of a design.
+    """Result of one check of a design."""
 
-    Attributes
-    ----------
-    utilisation : float or None
-        How much of the limit is used, 1 at the limit; None where the limit is 0 or the value not
-        positive.
-    torque_reserve : float or None
-        Factor on the torque at which the value is at its limit; None where it does not depend on
-        it, or is not known. Where `solved` it is what it would be if forces grew in proportion:
-        that orders checks, and no answer states it.
-    refusal : InvalidInput or None
-        The reason as the refusal of who asks for what the check looks at, where it is one.
-    life_factor : float or None
-        Of the limit, which is in it, by the loads over the life; None where none is known.
-    at : mapping
-        Where the value is reached: satellite, pin, crank_angle (rad); of pins that a tie ring joins
-        their section, `root` or `ring`.
-    """
-
-    kind: Kind  # which
-    status: Status  # how it went
-    value: float | None = None  # that is compared, in SI units
-    limit: float | None = None  # with the required safety in it
-    utilisation: float | None = None
+    kind: Kind  # record
+    status: Status
+    value: float | None = None  # compared value, SI
+    limit: float | None = None  # limit with the required safety, SI
+    utilisation: float | None = None  # 1 at the limit; None for a limit of 0 or a value below 0
+    # Factor on the torque at which the value is at its limit; None if independent or not known.
+    # With `solved` it assumes proportional forces, orders checks and appears in no answer.
     torque_reserve: float | None = None
-    solved: bool = False  # whether forces are solved again under another torque, shared otherwise
-    impossible: bool = False  # whether the mechanism cannot exist or move so
-    warning: bool = False  # whether the check can be marginal at worst
-    reason: str = ""  # why, where the numbers do not say it: a key of `core.codes.CODES`
-    params: Mapping[str, Any] = {}  # what its words name, SI; of a warning as its notice has it
-    refusal: InvalidInput | None = None
-    limit_source: str = ""  # of the limit of a material
-    criterion: str = ""  # of that limit
-    verified: str = ""  # how that was seen
-    life_factor: float | None = None
+    solved: bool = False  # True if forces are not proportional to the torque
+    impossible: bool = False  # True if the mechanism cannot exist or move
+    warning: bool = False  # True if the check is marginal at worst
+    reason: str = ""  # reason that the numbers do not show, a key of `core.codes.CODES`
+    params: Mapping[str, Any] = {}  # values in the reason's text, SI; mm for warnings
+    refusal: InvalidInput | None = None  # reason as the refusal of an input, if it is one
+    limit_source: str = ""  # source of a material's limit
+    criterion: str = ""  # criterion of that limit
+    verified: str = ""  # verification of that limit
+    life_factor: float | None = None  # included in the limit, by the loads over the life
+    # Place of the value: satellite, pin, crank_angle (rad); section `root` or `ring` of tied pins.
     at: Mapping[str, Any] = {}
-    missing: tuple[str, ...] = ()  # core names of inputs that would have to be given
+    missing: tuple[str, ...] = ()  # core names of inputs that are not given
 
     @property
     def code(self) -> str:
-        """Its name in answers."""
+        """Name of the check in answers."""
         return self.kind.code
 
     @property
     def margin(self) -> float:
-        """Distance to the limit, below 0 beyond it, in SI units; `NotKnown` as `compared`."""
+        """Distance of the value from its limit, SI, below 0 beyond it; `NotKnown` as `compared`."""
         value, limit = self.compared
         return limit - value if self.kind.keep == "below" else value - limit
 
     @property
     def compared(self) -> tuple[float, float]:
-        """Value and limit, in SI units; `NotKnown` where they are not both known."""
+        """Value and limit, SI; `NotKnown` unless both are known."""
         lacks = (self.reason, *self.missing)
         return required(self.value, *lacks), required(self.limit, *lacks)
 
     @property
     def by_torque(self) -> bool:
-        """True where a factor on the torque is known at which it is at its limit."""
+        """True if the factor on the torque at the limit is known."""
         return self.torque_reserve is not None
 
     @property
     def reserve(self) -> float:
-        """Factor on the torque at which it fails: without one that is known 0 of what fails, which
-        no less torque is known to cure, and infinite of the others.
-        """
+        """Factor on the torque at the limit; if not known 0 for a failed check, else infinite."""
         if self.torque_reserve is None:
             return 0.0 if self.status == "fail" else math.inf
         return self.torque_reserve
 
     @property
     def only_needed(self) -> bool:
-        """True where it holds, which is necessary and not enough to pass."""
+        """True if the check holds, but is necessary and not sufficient."""
         return self.status == "not_checked" and self.reason == "necessary_only"
 
     @property
     def necessary(self) -> "Check":
-        """The check as one that is necessary and not enough: it may fail, and never passes."""
+        """Check as a necessary condition, which may fail but never passes."""
         if self.status in ("fail", "not_checked"):
             return self
         return self._replace(status="not_checked", reason="necessary_only")
 
     @property
     def opens(self) -> bool:
-        """True where its part cannot be judged without it."""
+        """True if the part cannot be judged without this check."""
         return self.status == "not_checked" and self.needed
 
     @property
     def needed(self) -> bool:
-        """True where its part is open without it: a limit that no source has nobody could give."""
+        """True if the part is open without this check, whose limit some source states."""
         return self.kind.needed and self.reason != "no_sourced_limit"
 
 
 def asked_of(design: Any, *names: str) -> dict[str, float]:
-    """Requirements that are asked of a design, of some, by their names.
-
-    Parameters
-    ----------
-    design : object
-        The design.
-    *names : str
-        Their names.
-    """
+    """Requirements that a design sets, out of some names."""
     values = {name: getattr(design.requirements, name) for name in names}
     return {name: value for name, value in values.items() if value is not None}
 
 
 class Unjudged(NotKnown):
-    """A value that is known, and nothing to hold it against; with attributes of its check."""
+    """Reason why a known value has no limit, with attributes of its check."""
 
     def __init__(self, code: str, *missing: str, **known: Any) -> None:
         super().__init__(code, *missing)
@@ -365,28 +330,16 @@ class Unjudged(NotKnown):
 
 
 def judged_by(given: Given | None, code: str, *missing: str, **known: Any) -> Given:
-    """Limit, or else by which a value is judged, which has to be given.
+    """Limit, or another input needed for judging, if it is given; otherwise raise `Unjudged`.
 
     Parameters
     ----------
-    given : object or None
-        What it is; None where it is not given.
     code : str
-        Why nothing is judged without it, a key of `core.codes.CODES`.
+        Reason, a key of `core.codes.CODES`.
     *missing : str
-        Core names of inputs that would have to be given.
+        Core names of the inputs that are not given.
     **known
-        Attributes of the check that are known all the same, as its value; its status, where nobody
-        asks without.
-
-    Returns
-    -------
-    object
-
-    Raises
-    ------
-    Unjudged
-        If it is not given.
+        Attributes of the check that are known, such as its value, or a status of `not_asked`.
     """
     if given is None:
         raise Unjudged(code, *missing, **known)
@@ -396,21 +349,15 @@ def judged_by(given: Given | None, code: str, *missing: str, **known: Any) -> Gi
 def over_range(
     *, least: Callable[[], Check], most: Callable[[], Check], values: Mapping[str, Spread]
 ) -> Check:
-    """A necessary condition by a material, over all that sources have of it.
+    """Necessary condition of a material, judged over the range of values that sources state.
 
     Parameters
     ----------
-    least : callable
-        The check by the least that they have; `NotKnown` where they have nothing.
-    most : callable
-        The same by the largest, or by what no such material exceeds.
+    least, most : callable
+        Check by the least value (`NotKnown` if there is none), and by the largest, or by a bound
+        that no such material exceeds. The check fails only if both fail.
     values : mapping
-        Values that are not given, as sources have them, by their paths.
-
-    Returns
-    -------
-    Check
-        It fails where it does by all. A bound that it fails by lends it no reserve.
+        Ranges of values that are not given, by path.
     """
     differ = tuple(path for path, each in values.items() if each.low < each.high)
     try:
@@ -426,46 +373,40 @@ def over_range(
 
 
 class Measure(NamedTuple):
-    """Value that is compared with a limit that somebody may ask."""
+    """Value that is compared with a limit that a user may request."""
 
-    value: float  # in SI units
-    error: float = 4 * ROUNDING  # relative, of number and model
-    at: Mapping[str, float] = {}  # where it is reached
-    # Factor on the torque under which the value is so many times as large, where it grows with it.
+    value: float  # SI
+    error: float = 4 * ROUNDING  # relative error of value and model
+    at: Mapping[str, float] = {}  # place of the value
+    # Factor on the torque as a function of the growth of the value; None if it does not grow.
     reserve: Callable[[float], float] | None = None
-    solved: bool = False  # whether it does not grow in proportion, as forces are solved
-    used: Callable[[float], float] | None = None  # part of a limit, where that is not their ratio
-    reason: str | None = None  # what else it is of than the check says
+    solved: bool = False  # True if the value is not proportional to the torque
+    used: Callable[[float], float] | None = None  # utilisation of a limit, if not the ratio
+    reason: str | None = None  # code of a remark
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PartVerdict:
-    """Verdict of a part.
+    """Verdict of a part of the reducer."""
 
-    Attributes
-    ----------
-    status : PartStatus
-        `fail` where one of its checks fails; else `open` where what it needs is not known or
-        nothing of it is judged; else `marginal` or `pass`. `left_out` where the design's scope
-        leaves it out, `not_asked` where nobody asks for it.
-    """
-
-    code: str  # which part, a key of `PARTS`
+    code: str  # key of `PARTS`
+    # `fail` if a check fails, else `open` if a needed value is not known or nothing is judged, else
+    # `marginal` or `pass`; `left_out` of the scope, or `not_asked` without a requested limit.
     status: PartStatus
-    governing: str | None = None  # code of the check that decides of it
-    reason: str = ""  # why it is open, a key of `core.codes.CODES`
-    params: Mapping[str, Any] = field(default_factory=dict)  # what its words name, in SI units
-    refusal: InvalidInput | None = None  # the reason as a refusal, where it is one
-    missing: tuple[str, ...] = ()  # core names of inputs that would have to be given
+    governing: str | None = None  # code of the deciding check
+    reason: str = ""  # reason why it is open, a key of `core.codes.CODES`
+    params: Mapping[str, Any] = field(default_factory=dict)  # values in the reason's text, SI
+    refusal: InvalidInput | None = None  # reason as the refusal of an input, if it is one
+    missing: tuple[str, ...] = ()  # core names of inputs that are not given
 
     @property
     def judged(self) -> bool:
-        """True where it passes or fails."""
+        """True if the part passes, is marginal or fails."""
         return self.status in ("pass", "marginal", "fail")
 
 
 def whole(parts: Iterable[PartVerdict]) -> Outcome:
-    """Verdict of parts together.
+    """Verdict of several parts together.
 
     Examples
     --------
@@ -482,72 +423,49 @@ def whole(parts: Iterable[PartVerdict]) -> Outcome:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """Verdict of all checks of a design.
+    """Verdict of all checks of a design."""
 
-    Attributes
-    ----------
-    verdict : Outcome
-        Of a design with parts, of these: `fail` where one fails, else `incomplete` where one is
-        open or none is judged, else `marginal` where one is, else `pass`. For other calculations:
-        `incomplete` where a check could not be made, or none is of what the load could break.
-    governing : str or None
-        Code of the check that decides of those that are made: the worst failing one, else the one
-        next to its limit.
-    torque_reserve : float or None
-        Factor on the torque at which the first check fails; None where no largest torque is known,
-        but of plastics, which may not last: of these that at which they yield at once counts.
-    largest_torque_known : bool
-        Whether the torque alone decides: nothing fails that less torque does not cure, by a factor
-        that is known, and of parts one is judged; without parts nothing is unknown.
-    largest_torque_of : tuple of str
-        Parts that are judged and that it is of, where it is known: of the whole it is an upper
-        bound.
-    counts : dict of str to int
-        How many checks have each status.
-    parts : tuple of PartVerdict
-        What each part of the reducer comes to; none of other calculations.
-    not_considered : tuple of str
-        What is not looked at, keys of `NOT_CONSIDERED`.
-    checks : tuple of Check
-        All of them, the one that decides first: of an incomplete verdict one that is not checked.
-    """
-
+    # Parts decide: `fail` if one fails, `incomplete` if one is open or none judged, and so on.
+    # Without parts `incomplete` means a check not made, or none that depends on the load.
     verdict: Outcome
-    governing: str | None
+    governing: str | None  # code of the worst failing check, or of the one nearest its limit
+    # Factor on the torque at the first failure; None if the largest torque is not known. For
+    # plastics, which may not last, the factor at which they yield at once.
     torque_reserve: float | None
+    # True if the torque alone decides: less torque cures every failure by a known factor. With
+    # parts, at least one is judged; without parts, every check is made.
     largest_torque_known: bool
-    largest_torque_of: tuple[str, ...]
-    counts: dict[str, int]
-    parts: tuple[PartVerdict, ...]
-    not_considered: tuple[str, ...]
-    checks: tuple[Check, ...]
+    largest_torque_of: tuple[str, ...]  # judged parts it holds for; an upper bound for the whole
+    counts: dict[str, int]  # number of checks by status
+    parts: tuple[PartVerdict, ...]  # empty for other calculations than the reducer
+    not_considered: tuple[str, ...]  # keys of `NOT_CONSIDERED`
+    checks: tuple[Check, ...]  # in order of `rank`
 
     @property
     def impossible(self) -> bool:
-        """True where such a design cannot exist or move."""
+        """True if the design cannot exist or move."""
         return cannot_be(self.checks)
 
     @property
     def unforced(self) -> bool:
-        """True where no force is known of it, as it cannot exist or move."""
+        """True if no force is known, as the design cannot exist or move."""
         return any(each.reason == "cannot_be" for each in self.checks)
 
     def __getitem__(self, code: str) -> Check:
-        """The check of a code."""
+        """Check with a code."""
         return next(each for each in self.checks if each.code == code)
 
 
 def cannot_be(checks: Iterable[Check]) -> bool:
-    """Tell whether a check says that the design cannot exist or move."""
+    """True if a check says that the design cannot exist or move."""
     return any(each.impossible and each.status == "fail" for each in checks)
 
 
 def rank(check: Check) -> tuple[float, ...]:
-    """Key by which checks are sorted, as they decide the verdict: impossible, failing, not made,
-    marginal, passing, then what is not judged.
+    """Sort key of checks: impossible, failing, not made, marginal, passing, then not judged.
 
-    Utilisations of different powers of the torque cannot be compared; its reserve can. A check that
-    fails whatever the torque comes before.
+    Within a status the torque reserve decides, as utilisations of different powers of the torque
+    cannot be compared; a failure independent of the torque comes first.
     """
     order = {"fail": 1, "not_checked": 2, "marginal": 3, "pass": 4, "not_asked": 5}
     place = 0 if check.impossible and check.status == "fail" else order.get(check.status, 6)
@@ -565,20 +483,18 @@ def verdict(
     unknown: bool = False,
     once: bool = False,
 ) -> Verdict:
-    """The verdict of checks.
+    """Verdict of checks.
 
     Parameters
     ----------
-    checks : iterable of Check
-        The checks.
     not_considered : tuple of str
-        What is not looked at, keys of `NOT_CONSIDERED`.
+        Keys of `NOT_CONSIDERED`.
     parts : tuple of PartVerdict
-        What the parts of a reducer come to, of which the verdict is made; none of what has none.
+        Verdicts of the parts of a reducer, which determine the verdict; empty for other gears.
     unknown : bool
-        Whether less torque than all that is known may be too much.
+        True if a torque below all known limits may be too much.
     once : bool
-        Whether what is known is of loads that act once only, as of plastics.
+        True if known limits hold for loads that act once only, as for plastics.
 
     Examples
     --------
@@ -603,7 +519,7 @@ def verdict(
         outcome = whole(parts)
     elif counts["fail"]:
         outcome = "fail"
-    elif counts["not_checked"] or not counted:  # room alone: nothing that the load could break
+    elif counts["not_checked"] or not counted:  # no check depends on the load
         outcome = "incomplete"
     elif counts["marginal"]:
         outcome = "marginal"

@@ -1,4 +1,4 @@
-"""The torque at which a plastic yields at once: all that is known of what may not last."""
+"""Torque at which a plastic part yields at once, the known limit of a part that may not last."""
 
 import math
 from dataclasses import dataclass
@@ -12,42 +12,32 @@ from core.errors import UNKNOWN, required
 from core.hertz import Body
 
 LOOKS, NEAR = 6, 1e-4
-"""Torques at most that are looked at where forces are solved; how near 1 the last reserve is."""
+"""Largest number of torques tried for solved forces; distance of the last reserve from 1."""
 
 LASTING = 0.25
-"""Part of the torque under which the stress is half of the strength."""
+"""Part of the torque at which the stress is half of the strength."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ColdYield:
-    """When the first plastic body may yield at once, by the least strength and the largest friction
-    that it may have: pin or hole, or teeth of disc or ring.
-    """
+    """First yield of a plastic pin, hole or tooth, by its least strength and largest friction."""
 
-    torque: float  # above which it does, N*m; the peak torque is as many times as large as it is
-    part: Literal["contact", "teeth"]  # of the reducer
-    body: Body  # which
-    strength: float  # its strength in the direction that is loaded, Pa
-    friction: float  # mu of what slides there
-    open: tuple[str, ...]  # codes of checks that would have to be made before it may last
+    torque: float  # working torque at yield, N*m; the peak torque grows in proportion
+    part: Literal["contact", "teeth"]  # part of the reducer
+    body: Body  # body that yields
+    strength: float  # strength in the direction of the load, Pa
+    friction: float  # mu of the sliding contact
+    open: tuple[str, ...]  # codes of checks that are missing for a statement over the life
 
     @property
     def quarter(self) -> float:
-        """A quarter of that torque, N*m: half of the stress."""
+        """Quarter of the torque, N*m, at which the stress is half of the strength."""
         return LASTING * self.torque
 
 
 def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
-    """The torque at which a plastic may yield at once; None where no plastic touches, where of one,
-    or of teeth, it is not known, and where the parts do not go together. Its friction has to be
-    known.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design.
-    found : Verdict
-        Its checks.
+    """Torque at which a plastic part may yield at once; None if no plastic touches, a yield torque
+    is not known, or the parts do not fit together. Friction in the holes has to be known.
     """
     design, checks = results.design, {each.code: each for each in found.checks}
     check, teeth = checks.get("contact_static_cold"), checks.get("ring_static_cold")
@@ -94,7 +84,7 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
 
 
 def _settled(results: Results, check: Check, looks: int) -> float:
-    """Factor on the torque at which a check is at its limit, by looks at others, if it has one."""
+    """Factor on the torque at the limit of a check, refined by further solutions."""
     factor = required(check.torque_reserve, "value_unknown")
     for _ in range(looks):
         there = crank_check(check.code, results.under(factor))

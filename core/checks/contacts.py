@@ -1,8 +1,8 @@
-"""Checks of what presses in a set of contacts: pins in holes, and discs or teeth in their ring.
+"""Checks of contacts: pins in holes, and discs or teeth in their ring.
 
-Pressure over the life and once, for each surface of a set; shakedown and first yield of metals; of
-plastics what is necessary, and never enough: they creep, wear and go soft, and no source says what
-pressure they bear for long, so that what holds is `necessary_only`.
+Each surface of a set is checked for pressure over the life and once, metals also for shakedown and
+first yield. Checks of plastics are necessary and never sufficient (`necessary_only`): plastics
+creep, wear and soften, and no source states a pressure that they bear for long.
 """
 
 import math
@@ -32,8 +32,8 @@ from core.numerics.inverse import edge
 from core.precision import ROUNDING
 
 DEEP = 3.0
-"""Depth of solid material below a contact over its half-width: there the pressure has fallen to a
-third, and the largest stress lies at 0.75."""
+"""Depth of solid material below a contact over its half-width; there the stress is a third of the
+pressure, and the largest stress lies at 0.75."""
 
 _HOLES = ("contact", "contact", "touching load")
 _TEETH = ("gear", "teeth", "load contact gear")
@@ -122,21 +122,21 @@ _RING_FIXES = (
 
 
 def _whence(limit: ContactLimit) -> dict[str, str]:
-    """Attributes of a check: where the limit of its pressure comes from."""
+    """Attributes of a check that state the source of its pressure limit."""
     source, criterion = limit.source, limit.criterion
     return {"limit_source": source, "criterion": criterion, "verified": limit.verified or ""}
 
 
 def _limit_of(material: ElasticMaterial, path: str, **known: Any) -> ContactLimit:
-    """The limit of a material, which has to have one."""
+    """Pressure limit of a material; `Unjudged` if it has none."""
     unknown = "plastic_limit_unknown" if material.plastic else "limit_unknown"
     return judged_by(material.limit, unknown, f"{path}.allowable_pressure", **known)
 
 
 def _over_life(found: Check, limit: ContactLimit) -> Check:
-    """A pressure against a limit, with how much of the life that has in it, where nothing else is
-    said. Without a speed the limit is the least one, and a pressure that holds the one without
-    life factor fails by what is not given.
+    """Check of a pressure, with a remark on the life that its limit includes. Without a speed the
+    least limit counts, and a pressure below the limit without life factor is marginal instead of
+    failing.
     """
     if found.reason:
         return found
@@ -156,8 +156,8 @@ def _over_life(found: Check, limit: ContactLimit) -> Check:
 def _static_limit(
     material: ElasticMaterial, path: str, **known: Any
 ) -> tuple[float, dict[str, str]]:
-    """Pressure that a surface bears once, Pa, and whence it is: what it bears for ever it bears
-    once too, beyond which it is not known.
+    """Pressure that a surface bears once, Pa, with its source; `Unjudged` above the limit over the
+    life if no static limit is known.
     """
     if material.static_pressure is not None:
         return material.static_pressure, {}
@@ -170,8 +170,8 @@ def _static_limit(
 def _in_disc(
     kind: Kind, results: Results, contact: HertzContact, *, limit: float, **more: Any
 ) -> Check:
-    """The governing pressure of a contact against a limit, with what the edge of the disc makes of
-    it: near enough nothing passes.
+    """Check of a contact's governing pressure with the error of the disc's edge; an edge too near
+    leaves it unchecked unless it fails.
     """
     disc, pressure = results.disc_of(contact), contact.governing_pressure
     error = 8 * contact.accuracy.relative_error
@@ -188,7 +188,7 @@ def _in_disc(
 
 
 def _against_limit(kind: Kind, results: Results, **more: Any) -> Check:
-    """The pressure in the holes against its limit over the life."""
+    """Check of the pressure in the holes against its limit over the life."""
     return _in_disc(
         kind,
         results,
@@ -231,7 +231,7 @@ def _pressure(body: Body) -> Kind:
 
 
 def _flowing(sort: str, body: Body, **more: Any) -> Kind:
-    """The pressure against one by the yield strength, where that governs."""
+    """Check of the pressure against a limit by the yield strength, if yield governs."""
     row = IN_HOLES[body]
 
     @row.check(
@@ -257,7 +257,7 @@ def _flowing(sort: str, body: Body, **more: Any) -> Kind:
                 return found
             decides = ("friction.coefficient",)
             return found._replace(status="marginal", reason="range_decides", missing=decides)
-        # between the pressure up to which nothing yields and the one from which it goes on
+        # The pressure lies between first yield and certain progressive yield.
         yields = results.pressure_limits[row.codes["yield"]]
         if sliding.high > KNOWN_SLIDING and pressure > yields:
             return found._replace(status="marginal", reason="shakedown_unknown")
@@ -288,15 +288,15 @@ def _static(body: Body) -> Kind:
 class Pressed(NamedTuple):
     """Contact pressure of a mesh."""
 
-    value: float  # largest, Pa
-    error: float  # relative
-    solved: bool  # whether forces are shared otherwise under other torques
-    at: Mapping[str, Any]  # where it is reached
+    value: float  # largest pressure, Pa
+    error: float  # relative error
+    solved: bool  # True if forces are not proportional to the torque
+    at: Mapping[str, Any]  # place of the value
 
 
 def _pressed(results: Results, *, static: bool) -> Pressed:
-    """Largest pressure of the teeth over the turn, under the dynamic load, or at the peak torque;
-    of involute ones that at the start of the path.
+    """Largest pressure of the teeth over the turn, under the dynamic load or the peak torque; for
+    involute teeth that at the start of the path of contact.
     """
     design = results.design
     if design.gear.kind == "involute":
@@ -313,7 +313,7 @@ def _pressed(results: Results, *, static: bool) -> Pressed:
 
 
 def _judged(kind: Kind, pressed: Pressed, limit: float, **more: Any) -> Check:
-    """A pressure of the teeth, which grows with the root of the torque, against a limit."""
+    """Check of a pressure of the teeth, which grows with the square root of the torque."""
     reserve = (limit / pressed.value) ** 2
     return kind.judged(limit=limit, **{"reserve": reserve, **pressed._asdict(), **more})
 
@@ -361,9 +361,8 @@ def _ring_static(body: RingBody) -> Kind:
 def _necessary(
     results: Results, values: Mapping[str, Any], by: Callable[[Results, bool], Check]
 ) -> Check:
-    """A pressure that is necessary only: by the least strength that sources have; it fails for
-    certain above the most that any has, with the least moduli that they have, too. The numbers
-    are those of the largest moduli.
+    """Necessary check of a pressure: judged by the least strength that sources state, it fails for
+    certain by the largest strength and the least moduli. Numbers are those of the largest moduli.
     """
 
     def most() -> Check:
@@ -395,7 +394,7 @@ _plastic = Element("plastic", "contact", "plastics load")
     **_COLD,
 )
 def ring_static_cold(kind: Kind, design: Design, results: Results) -> Check:
-    """Judge the weaker of the satellites' teeth and the ring's teeth or pins."""
+    """Judge the weaker of satellite teeth and ring teeth or pins."""
 
     def by(made: Results, most: bool) -> Check:
         pressed = _pressed(made, static=True)
@@ -406,14 +405,14 @@ def ring_static_cold(kind: Kind, design: Design, results: Results) -> Check:
 
 
 Grown = tuple[HertzContact, Callable[[float], HertzContact]]
-"""A contact, and that under so many times its force."""
+"""Contact, and function that gives the contact under a factor on its force."""
 
 
 def _yielding(
     kind: Kind, results: Results, loaded: Callable[[Results], Grown], part: Mapping[Body, float]
 ) -> Check:
-    """The pressure in the holes against a part of that at which the weaker plastic body yields: the
-    limit falls as the contact wraps around its pin.
+    """Check of the pressure in the holes against a share of the yield pressure of the weaker
+    plastic body; the limit falls as the contact wraps around its pin.
     """
 
     def least(contact: HertzContact, most: bool = False) -> float:
@@ -432,7 +431,7 @@ def _yielding(
         if not left(inside) >= 0 or left(outside) >= 0:
             return first
         met, _ = edge(inside=inside, outside=outside, excess=left)
-        return met * (1 - 512 * ROUNDING)  # not beyond a jump of the limit by rounding
+        return met * (1 - 512 * ROUNDING)  # stay below a jump of the limit despite rounding
 
     def by(made: Results, most: bool) -> Check:
         limit = least(loaded(results)[0], most)
@@ -470,7 +469,7 @@ def contact_static_cold(kind: Kind, design: Design, results: Results) -> Check:
     source="long_term",
 )
 def creep(kind: Kind, design: Design, results: Results) -> Check:
-    """By the part of the short strength that whoever gives it has found to last."""
+    """Judge by the given long-term part of the short-term strength."""
 
     def loaded(made: Results) -> Grown:
         largest = made.line_load_factor
@@ -484,7 +483,7 @@ def creep(kind: Kind, design: Design, results: Results) -> Check:
 
 
 def _not_printed(design: Design, results: Results) -> str:
-    """Why holes have no infill behind their walls; empty where they may."""
+    """Code of the reason why holes have no infill behind their walls; empty if they may."""
     printed = "hole" in design.plastics and design.plastics["hole"].layered
     return "" if printed else "not_printed"
 
@@ -501,7 +500,7 @@ def _not_printed(design: Design, results: Results) -> str:
     not_of=_not_printed,
 )
 def contact_solid_depth(kind: Kind, design: Design, results: Results) -> Check:
-    """Judge holes that may be printed in layers, with infill behind their walls."""
+    """Judge holes that may be printed in layers with infill behind their walls."""
     given = design.satellite_body.solid_wall if design.satellite_body else None
     depth = DEEP * float(results.static_contact.half_width)
     wall = judged_by(given, "solid_wall_unknown", "satellite_body.solid_wall", value=depth)
@@ -517,7 +516,7 @@ def contact_solid_depth(kind: Kind, design: Design, results: Results) -> Check:
 
 
 def _temperature(kind: Kind, design: Design, body: Body) -> Check:
-    """One body against the temperature at which it goes soft."""
+    """Check of the temperature of one body against its softening range."""
     path = "temperatures.satellite" if body == "hole" else "temperatures.pins"
     given = required(value_at(design, path), "temperature_unknown", path)
     name = f"contact.{body}_material"
@@ -540,7 +539,7 @@ def _temperature(kind: Kind, design: Design, body: Body) -> Check:
     source="heat_deflection",
 )
 def temperature(kind: Kind, design: Design, results: Results) -> Check:
-    """Judge the body that fails, else the first that is not known."""
+    """Judge the failing body, or else the first body of unknown temperature."""
     found, unknown = [], []
     for body in design.plastics:
         try:
@@ -574,7 +573,7 @@ def fatigue_plastic(kind: Kind, design: Design, results: Results) -> Check:
     source="hertz",
 )
 def contact_conformity(kind: Kind, design: Design, results: Results) -> Check:
-    """For one release."""
+    """Keep the code of a former check for one release."""
     return Check(kind, "not_applicable", reason="conformal_solution")
 
 

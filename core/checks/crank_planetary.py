@@ -1,4 +1,4 @@
-"""All checks of a crank-planetary reducer under its torque, its parts, and what these come to."""
+"""All checks of a crank-planetary reducer under its torque, its parts, and their verdicts."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -52,7 +52,7 @@ CRANK_CHECKS = {
         *balance.BALANCE,
     )
 }
-"""By code, in the order in which those that are judged alike are listed."""
+"""Records of all checks by code, in the order of the list for equal ranks."""
 
 _NEEDS = tuple(dict.fromkeys(need for kind in CRANK_CHECKS.values() for need in kind.needs))
 _ASKED_ALONE = tuple(kind.asks for kind in CRANK_CHECKS.values() if kind.asked_alone)
@@ -60,17 +60,17 @@ _ASKED_ALONE = tuple(kind.asks for kind in CRANK_CHECKS.values() if kind.asked_a
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A part of a reducer."""
+    """Part of a reducer."""
 
-    code: str  # its name in requests and answers
-    title: str  # its name in English
-    own: str = ""  # sections of a design that its checks need besides load and contact
-    by_forces: bool = True  # whether these read the pins' forces
-    demands: str = ""  # requirements: without its section or one of these nobody asks for it
+    code: str  # name in requests and answers
+    title: str  # name in English
+    own: str = ""  # sections that its checks need besides load and contact
+    by_forces: bool = True  # True if its checks read the forces on pins
+    demands: str = ""  # requirements; without its section and any of them it is `not_asked`
 
     @property
     def sections(self) -> tuple[str, ...]:
-        """All sections that its checks need."""
+        """All sections that the checks of the part need."""
         return ("load", "contact", *self.own.split())
 
 
@@ -91,7 +91,7 @@ PARTS = {
         ),
     )
 }
-"""By code, in the order in which they are shown."""
+"""Parts by code, in the order in which they are shown."""
 
 MESHES = ("contact", "teeth")
 """Parts without which there are no forces."""
@@ -101,15 +101,9 @@ UNCOVERED = ("crankshaft", "output_bearing", "housing", "lubrication", "dynamics
 
 
 def crank_check(code: str, results: Results) -> Check:
-    """One check of a crank-planetary reducer; it says why where it could not be made. A check that
-    fails by a value that is assumed, and holds at the mild end of that, is marginal.
+    """One check of a crank-planetary reducer, by its code; it states why it could not be made.
 
-    Parameters
-    ----------
-    code : str
-        Which.
-    results : Results
-        Results of a design.
+    A check that fails by an assumed value, but holds at the mild end of its range, is marginal.
     """
     kind = CRANK_CHECKS[code]
     check = kind.of(results.design, results)
@@ -124,7 +118,7 @@ def crank_check(code: str, results: Results) -> Check:
 
 
 def crank_codes(design: Design) -> tuple[str, ...]:
-    """Codes of the checks that the sections of a design allow, first of those that need less."""
+    """Codes of the checks that the sections of a design allow, those with fewer needs first."""
     there = [need for need in _NEEDS if getattr(design, need)]
     asked = asked_of(design, *_ASKED_ALONE)
     return _codes(frozenset((*there, *asked)), design.scope)
@@ -139,7 +133,7 @@ def _codes(given: frozenset[str], scope: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def cannot_mesh(results: Results) -> bool:
-    """Tell whether pins in holes or teeth cannot be, so that no force is known."""
+    """True if pins in holes or teeth cannot mesh, so that no force is known."""
     kinds = map(CRANK_CHECKS.__getitem__, crank_codes(results.design))
     meshing = (kind.code for kind in kinds if kind.part in MESHES and kind.code != "pins_apart")
     unasked = (
@@ -149,9 +143,7 @@ def cannot_mesh(results: Results) -> bool:
 
 
 def crank_checks(results: Results) -> Verdict:
-    """All checks of a crank-planetary reducer, as far as they are in its scope: nothing that hangs
-    on forces is checked where pins in holes or teeth cannot be.
-    """
+    """Verdict of all checks in a reducer's scope; forces are left out if meshes cannot exist."""
     design, codes = results.design, crank_codes(results.design)
     checks = [crank_check(code, results) for code in codes if not CRANK_CHECKS[code].loaded]
     unforced = cannot_mesh(results)
@@ -166,15 +158,7 @@ def crank_checks(results: Results) -> Verdict:
 
 
 def of_parts(*, design: Design, checks: Iterable[Check]) -> Verdict:
-    """The verdict of a reducer's checks, of which its parts' are made.
-
-    Parameters
-    ----------
-    design : Design
-        The design.
-    checks : iterable of Check
-        Its checks.
-    """
+    """Verdict of a reducer from its checks, by the verdicts of its parts."""
     made = sorted(checks, key=rank)
     parts = tuple(_part(design, part, made) for part in PARTS.values())
     judged = {part.code for part in parts if part.judged}
@@ -196,7 +180,7 @@ def of_parts(*, design: Design, checks: Iterable[Check]) -> Verdict:
 
 
 def _without_life(design: Design, body: Body) -> bool:
-    """True where the limit of the pressure of a body is known, but not that over the life."""
+    """True if the pressure limit of a body is known, but not over the life."""
     limit = design.lasting[body].limit
     return limit is not None and not is_known(lambda: limit.life)
 
@@ -204,17 +188,17 @@ def _without_life(design: Design, body: Body) -> bool:
 NOTHING_KNOWN = paths(
     "limit_unknown static_limit_unknown yield_unknown direction_unknown friction_unknown"
 )
-"""Reasons for which a check knows nothing of what a body bears, which may be less than all else."""
+"""Reasons of a check that does not know the strength of a body, which may be the lowest."""
 
 
 def _unknown(check: Check) -> bool:
-    """True where a check knows nothing of what a body bears, or only a bound above it."""
+    """True if a check does not know the strength of a body, or only an upper bound of it."""
     bounded = check.status == "fail" and check.reason == "above_any"
     return bounded or (check.opens and check.reason in NOTHING_KNOWN)
 
 
 def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
-    """Verdict of a part, by the checks that are made, the one that decides first."""
+    """Verdict of a part by the checks that are made; the first in rank decides."""
     if part.code not in design.scope:
         return PartVerdict(code=part.code, status="left_out")
     demanded = asked_of(design, *part.demands.split())
@@ -246,7 +230,7 @@ def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
 
 
 def _lacks(design: Design, part: Part, own: list[Check]) -> Iterator[NotKnown]:
-    """Unknowns of a part, for which it is open."""
+    """Unknown inputs that leave a part open."""
     absent = tuple(
         name
         for name in part.sections
@@ -257,7 +241,7 @@ def _lacks(design: Design, part: Part, own: list[Check]) -> Iterator[NotKnown]:
     gear = design.gear
     by_forces = part.by_forces
     if part.code == "teeth" and gear and gear.kind == "involute" and not gear.unknown_teeth:
-        by_forces = design.mechanism.satellites > 1  # which share by their pins
+        by_forces = design.mechanism.satellites > 1  # several satellites share by their pins
     if by_forces and design.clearance_unknown:
         known = design.contact.eccentricity is not None
         missing = "contact.hole_clearance" if known else "contact.eccentricity"

@@ -1,7 +1,8 @@
-"""Checks of what somebody may ask of the meshes: play, evenness, efficiency, sliding, wear, seats.
+"""Checks of limits that a user may request of the meshes: play, evenness, efficiency, sliding,
+wear, seats.
 
-Each returns what is measured; `Kind.of` holds it against the requirement of its record.
-Nothing that takes a solution is looked for where nobody asks.
+Each check returns a measure, which `Kind.of` compares with the requirement of its record. A measure
+that takes a solution is calculated only if a limit is requested.
 """
 
 from core.checks import inputs as of
@@ -21,8 +22,8 @@ from core.errors import NotKnown, if_known
 from core.precision import CLASSES
 
 MOST_PLAY = 0.75
-"""Clearance over the eccentricity above which a design is marginal: the play is a large part of
-what the mechanism moves by."""
+"""Clearance over the eccentricity above which a design is marginal, as the play takes a large part
+of the motion."""
 
 _LESS = "contact.hole_radius contact.fit"
 
@@ -34,7 +35,7 @@ _BACKLASH = {
 _EFFICIENCY = {"formula": "η ≥ η_min", "source": "user", "keep": "above"}
 _PV = {"unit": "MPa_m_per_s", "formula": "p·v ≤ (pv)_all", "source": "user", "asks": "max_pv"}
 
-# The factor of a share that is stated is an input of play: meshes in series have none.
+# A stated load-sharing factor is an input of play, as it excludes meshes in series.
 _play = Element("play", "contact", "touching load", fixes=_LESS, source="load_sharing")
 _rubs = Element("friction", "losses", "touching load rubs")
 _ring = Element("gear", "teeth", "load contact gear")
@@ -42,7 +43,7 @@ _of_teeth = Element("gear", "teeth", "load contact gear", not_of=not_toothed)
 
 
 def _of_both(results: Results) -> str | None:
-    """Why a value is of both meshes, where they are in series."""
+    """Code that marks a value of both meshes, if they are in series."""
     return "both_meshes" if results.in_series else None
 
 
@@ -63,7 +64,7 @@ def _of_both(results: Results) -> str | None:
     **_BACKLASH,
 )
 def backlash(kind: Kind, design: Design, results: Results) -> Measure:
-    of_fit = design.known_clearance and 0.0  # none, or interference
+    of_fit = design.known_clearance and 0.0  # no clearance, or interference
     play = results.loading.turn.backlash_max if results.solved else of_fit
     return Measure(design.members.angle_at_output(play), reason=_of_both(results))
 
@@ -86,8 +87,8 @@ def backlash(kind: Kind, design: Design, results: Results) -> Measure:
     asks="max_lost_motion",
 )
 def lost_motion(kind: Kind, design: Design, results: Results) -> Measure:
-    """At the torque itself, of which it takes a share; not solved for where nobody asks. Asked, it
-    is that of the softest material that sources allow.
+    """Lost motion at the working torque itself; without a requested limit only from forces that are
+    solved anyway. A requested limit is judged with the least moduli of sources.
     """
     solved = results.solved and design.load_factor == 1
     asked, _ = asked_of(design, "max_lost_motion"), design.known_clearance
@@ -114,7 +115,7 @@ def clearance(kind: Kind, design: Design, results: Results) -> Check:
         for play in (backlash, lost_motion)
         if share > MOST_PLAY and asked_of(design, play.asks)
     ]
-    if wanted and all(wanted):  # as much play as is asked for
+    if wanted and all(wanted):  # play that the requested limits allow is no warning
         return Check(kind, "pass", value=share, limit=MOST_PLAY)
     ratio = {"ratio": share}
     return kind.judged(share, MOST_PLAY, warning="clearance_like_eccentricity", params=ratio)
@@ -130,7 +131,7 @@ def clearance(kind: Kind, design: Design, results: Results) -> Check:
     **_BACKLASH,
 )
 def ring_backlash(kind: Kind, design: Design, results: Results) -> Check | Measure:
-    """Backlash of the ring alone; that of involute teeth is known at once."""
+    """Backlash of the ring alone; for ring pins it is solved only if a limit is requested."""
     if design.gear.kind == "involute":
         return Measure(design.members.angle_at_output(max(results.ring.pair.backlash, 0.0)))
     judged_by(design.requirements.max_ring_backlash, "no_limit")
@@ -151,9 +152,7 @@ def ring_backlash(kind: Kind, design: Design, results: Results) -> Check | Measu
     only_asked=True,
 )
 def ring_transmission_error(kind: Kind, design: Design, results: Results) -> Check | Measure:
-    """Under the torque itself, of both meshes where they are in series; not looked for where nobody
-    asks.
-    """
+    """Transmission error at the working torque itself, of both meshes if they are in series."""
     if design.gear.kind == "involute":
         raise NotKnown("tooth_errors_unknown")
     worst = max(turn.transmission_error for turn in results.ring.working)
@@ -178,9 +177,7 @@ def ring_transmission_error(kind: Kind, design: Design, results: Results) -> Che
     **_EFFICIENCY,
 )
 def efficiency(kind: Kind, design: Design, results: Results) -> Measure:
-    """Its limit is used by the losses: at least those of pins, and of teeth where their friction is
-    known.
-    """
+    """Efficiency by losses of pins, and of teeth of known friction; losses use the limit."""
     value, asked = results.losses.efficiency, design.requirements.min_efficiency
     toothed = design.gear and design.gear.kind != "none"
     if toothed and design.gear.friction_coefficient is None and value >= (asked or 1.0):
@@ -210,7 +207,7 @@ def sliding_speed(kind: Kind, design: Design, results: Results) -> Check | Measu
 
 
 def _with_torque(results: Results, value: float) -> Measure:
-    """A value of the losses that grows with the largest force."""
+    """Value of the losses that is proportional to the largest force."""
     return Measure(
         value,
         error=4 * float(results.losses.pins.accuracy.relative_error),
@@ -231,7 +228,7 @@ def _with_torque(results: Results, value: float) -> Measure:
     **_PV,
 )
 def pv(kind: Kind, design: Design, results: Results) -> Check | Measure:
-    """Judge a sleeve, which is a bush; a bare pin in a wider hole is none."""
+    """Judge a sleeve, which is a bush; a bare pin in a wider hole is not."""
     if design.rollers:
         return Check(kind, "not_applicable", reason="rollers_roll")
     value = float(results.losses.pins.peak_pv)
@@ -263,14 +260,14 @@ def wear(kind: Kind, design: Design, results: Results) -> Check | Measure:
 
 
 def _not_seated(design: Design, results: Results) -> str:
-    """Why a check is none of pins of the ring in seats; empty where they are."""
+    """Code of the reason why a check of ring pins in seats does not apply, or empty."""
     if other := not_cycloid(design, results):
         return other
     return "" if design.cycloid.pin_support == "seat" else "pins_bend"
 
 
 def _no_sleeves(design: Design, results: Results) -> str:
-    """Why a check is none of sleeves that slide on the pins of the ring; empty where they do."""
+    """Code of the reason why a check of sliding sleeves on ring pins does not apply, or empty."""
     if other := not_cycloid(design, results):
         return other
     ring = design.cycloid
@@ -295,7 +292,7 @@ def _no_sleeves(design: Design, results: Results) -> str:
     needed=False,
 )
 def ring_seat_pressure(kind: Kind, design: Design, results: Results) -> Check | Measure:
-    """Pressure of the force on the area that the pin covers."""
+    """Largest force on a ring pin over the area that the pin covers."""
     turn = results.ring.loading
     area = 2 * turn.mesh.disc.ring_pin_radius * turn.mesh.contact_length
     pair = turn.peak_pair
@@ -323,7 +320,7 @@ def ring_seat_pressure(kind: Kind, design: Design, results: Results) -> Check | 
     **_EFFICIENCY,
 )
 def ring_efficiency(kind: Kind, design: Design, results: Results) -> Check | Measure:
-    """Its limit is used by the losses; not looked for where nobody asks."""
+    """Efficiency of the ring; the utilisation of the limit is that of the losses."""
     loss = results.ring.loss
     return Measure(
         loss.efficiency,

@@ -3,25 +3,25 @@
 from typing import TypeAlias
 
 Paths: TypeAlias = "str | tuple[Paths, ...]"
-"""Paths with spaces between them, or groups of such."""
+"""Paths separated by spaces, or groups of such strings."""
 
 
 def paths(*named: Paths) -> tuple[str, ...]:
-    """Paths that are named, each once, in their order."""
+    """Paths of all groups, each once, in their order."""
     each = (one.split() if isinstance(one, str) else paths(*one) for one in named)
     return tuple(dict.fromkeys(path for group in each for path in group))
 
 
 CRANKS = "mechanism.pins mechanism.satellites mechanism.crank_spacing mechanism.crank_angles"
-"""Inputs of where pins and satellites stand."""
+"""Inputs of the places of pins and satellites."""
 
 FORCE = paths(
     "load.output_torque load.torque_direction load.pin_circle_radius",
     CRANKS,
     "mechanism.ratio load.force_exponent contact.distribution_factor",
 )
-"""Inputs of the ideal forces on pins: the ratio makes a torque of the ring one of the pins, and the
-factor says of perfect parts whether their sharing is solved."""
+"""Inputs of the ideal forces on pins. The ratio converts a torque of the ring into one of the pins;
+the load-sharing factor decides if the sharing of perfect parts is solved."""
 
 HOLE = paths("contact.pin_radius contact.hole_radius contact.hole_clearance")
 
@@ -36,13 +36,13 @@ SHARING = paths(
     "pin.bolt pin.contact_length pin.material contact_law deviations crank_support",
     "satellite_coupling rollers.radial_clearance rollers.width rollers.per_satellite",
 )
-"""Inputs of pins and holes as they are made and bend: of how satellites and pins share the load."""
+"""Inputs of pins and holes that determine how satellites and pins share the load."""
 
 PIN_FORCES = paths(FORCE, SHARING)
-"""Inputs of the forces on pins by themselves."""
+"""Inputs of the forces on pins without those of the ring."""
 
 OF_CLEARANCE = "gear.modification.equidistant gear.modification.pin_circle"
-"""Modifications that open the gaps between a disc and the pins of its ring."""
+"""Modifications that open the gaps between a disc and the ring pins."""
 
 RING_PINS = paths(
     "gear.kind gear.ring_pin_circle_radius gear.teeth_difference",
@@ -50,12 +50,11 @@ RING_PINS = paths(
     "mechanism.ratio mechanism.satellites mechanism.crank_spacing mechanism.crank_angles",
     "contact.eccentricity deviations",
 )
-"""Inputs of the gaps between cycloid discs and the pins of their ring, but for the one that takes
-the same part of the lag at each.
-"""
+"""Inputs of the gaps between cycloid discs and ring pins, without the rotation of flanks, which
+closes all gaps at an equal lag."""
 
 OF_BENT_PINS = paths("gear.span gear.satellite_positions gear.sleeve_bore_radius")
-"""Inputs of how pins of the ring bend."""
+"""Inputs of the bending of ring pins."""
 
 RING_CARRIES = paths(
     RING_PINS,
@@ -64,28 +63,28 @@ RING_CARRIES = paths(
     OF_BENT_PINS,
     "gear.seat_stiffness contact.contact_length contact.hole_material satellite_coupling",
 )
-"""Inputs of how these pins share a torque, but for flanks that are turned, all alike."""
+"""Inputs of the sharing of a torque between ring pins, without the rotation of flanks."""
 
 RING_GIVES = paths(RING_CARRIES, "gear.modification.rotation")
-"""Inputs of how these pins share a torque."""
+"""Inputs of the sharing of a torque between ring pins."""
 
 FORCES = paths(PIN_FORCES, RING_GIVES)
-"""Inputs of the forces on pins; discs in series with their ring have those of its sharing, too."""
+"""Inputs of the forces on pins, with those of ring sharing for meshes in series."""
 
 ON_STRESSES = "contact.dynamic_factor load.application_factor"
-"""The factor on stresses and pressures."""
+"""Factor on stresses and pressures."""
 
 LOADED = paths(FORCES, ON_STRESSES)
 """Inputs of the forces on pins, with the factor on stresses and pressures."""
 
 SLIDING = "friction.coefficient friction.sleeve"
-"""Inputs of what slides in the holes."""
+"""Inputs of sliding in the holes."""
 
 SPEEDS = paths("load.input_speed load.ring_speed load.carrier_speed")
-"""Inputs of crank, pins and ring against each other."""
+"""Inputs of the speeds of crank, pins and ring."""
 
 LIFE = paths(SPEEDS, "requirements.life")
-"""Inputs of how often a load comes in the life."""
+"""Inputs of the number of loads over the life."""
 
 FATIGUE = paths(
     "fatigue.surface fatigue.surface_factor fatigue.edition fatigue.reliability_percent",
@@ -105,31 +104,31 @@ RING_FORCES = paths(
     tuple(each for each in FORCE if each != "load.force_exponent"),
     SHARING,
 )
-"""Inputs of the forces on the ring's pins, in series with the output's pins."""
+"""Inputs of the forces on ring pins, with those of the output pins for meshes in series."""
 
 RING_LOADED = paths(RING_FORCES, "contact.distribution_of", ON_STRESSES)
-"""Inputs of these forces, with the factors on pressures."""
+"""Inputs of the forces on ring pins, with the factors on pressures."""
 
 INVOLUTE_GEARS = paths(
     "gear.kind gear.module gear.teeth_difference gear.reference_pressure_angle",
     "mechanism.ratio contact.eccentricity",
 )
-"""Inputs of involute teeth, whatever their heights and shifts."""
+"""Inputs of involute teeth of any profile shifts and heights."""
 
 SATELLITE_TIPS = "gear.satellite_profile_shift gear.satellite_addendum gear.satellite_tip_radius"
-"""Inputs of where the tips of the satellite are."""
+"""Inputs of the tip circle of an involute satellite."""
 
 RING_TIPS = "gear.ring_profile_shift gear.ring_addendum gear.ring_tip_radius"
-"""Inputs of where those of the ring are."""
+"""Inputs of the tip circle of an involute ring."""
 
 INVOLUTE_TEETH = paths(INVOLUTE_GEARS, SATELLITE_TIPS, RING_TIPS)
-"""Inputs of involute teeth and where they touch."""
+"""Inputs of involute teeth and their path of contact."""
 
 INVOLUTE_RACK = "gear.dedendum gear.rack_tip_radius"
-"""Inputs of the hob that makes the satellite."""
+"""Inputs of the hob that cuts the satellite."""
 
 INVOLUTE_CUTTER = "gear.cutter_teeth gear.cutter_profile_shift gear.cutter_addendum"
-"""Inputs of the cutter that makes the ring."""
+"""Inputs of the cutter of the ring."""
 
 INVOLUTE_GIVES = paths(
     INVOLUTE_GEARS,
@@ -137,10 +136,10 @@ INVOLUTE_GIVES = paths(
     tuple(each for each in PIN_FORCES if each not in ("load.output_torque", "load.force_exponent")),
     "contact.distribution_of",
 )
-"""Inputs of how a torque is on them: satellites carry what their pins do."""
+"""Inputs of the torque on involute teeth: satellites carry what their pins carry."""
 
 INVOLUTE_LOADED = paths(INVOLUTE_GIVES, "load.output_torque", ON_STRESSES)
-"""Inputs of the forces on them."""
+"""Inputs of the forces on involute teeth."""
 
 TEETH_GAPS = paths(
     RING_PINS,
@@ -148,7 +147,7 @@ TEETH_GAPS = paths(
     INVOLUTE_GEARS,
     "gear.satellite_profile_shift gear.ring_profile_shift",
 )
-"""Inputs of the gaps between satellites and ring, of whatever kind."""
+"""Inputs of the gaps between satellites and ring of any kind."""
 
 TEETH_GIVE = paths(
     RING_GIVES,
@@ -157,16 +156,16 @@ TEETH_GIVE = paths(
     RING_TIPS,
     "gear.ring_material gear.satellite_material",
 )
-"""Inputs of how a torque is on satellites and ring, of whatever kind."""
+"""Inputs of the torque on satellites and ring of any kind."""
 
 TEETH_LOADED = paths(TEETH_GIVE, "load.output_torque", ON_STRESSES)
-"""Inputs of the pressure between them."""
+"""Inputs of the pressure between satellites and ring of any kind."""
 
 OF_DISCS = paths(FORCES, "contact.distribution_of", RING)
 """Inputs of the loads of satellites on the crank."""
 
 BEARING_LOAD = paths(OF_DISCS, "bearing.kind crankshaft.satellite_mass")
-"""Inputs of the load of a satellite's bearing."""
+"""Inputs of the load of a satellite bearing."""
 
 ROOTS = paths(
     "satellite_body.outer_radius satellite_body.root_radius gear.kind gear.module",
@@ -174,4 +173,4 @@ ROOTS = paths(
     OF_CLEARANCE,
     "gear.satellite_profile_shift gear.dedendum mechanism.ratio contact.eccentricity",
 )
-"""Inputs of where the roots of a satellite's teeth are."""
+"""Inputs of the root radius of a satellite's teeth."""

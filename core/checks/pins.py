@@ -1,8 +1,8 @@
-"""Checks of pins that bend, of the output and of the ring: static strength, fatigue, deflection,
-slope, wall about the bore; of bolts that hold them.
+"""Checks of bending pins of output and ring: static strength, fatigue, deflection, slope, wall
+about the bore, and bolts that hold pins.
 
-A sort of check is written once, as what its records have in common and as a method of `BentPins`;
-a row for each place has the codes.
+Each sort of check is written once, as common fields of its records and a method of `BentPins`; a
+row for each place has the codes.
 """
 
 from collections.abc import Callable, Mapping
@@ -68,9 +68,7 @@ _SORTS: dict[str, dict[str, Any]] = {
 
 
 def _of_size(pin: DesignPin, check: Check) -> Check:
-    """A check by the strengths of the material: of thicker pins these are less than known, so that
-    only what fails is certain, but not by how much.
-    """
+    """Check by the strengths of a material, which are lower but unknown for thicker pins."""
     if not pin.thick:
         return check
     (thick,) = pin.thick
@@ -86,7 +84,7 @@ def _of_size(pin: DesignPin, check: Check) -> Check:
 
 
 def _of_plastic(pin: DesignPin, by: Callable[[float], Check]) -> Check:
-    """A check of a plastic pin, by a strength: across its layers, which is no more than in them."""
+    """Check of a plastic pin by its strength across the layers, the lowest one."""
     material, path = pin.material, pin.material_path
     strengths = {name: each for name, each in material.usual(path).items() if "strength" in name}
     return over_range(
@@ -98,12 +96,12 @@ def _of_plastic(pin: DesignPin, by: Callable[[float], Check]) -> Check:
 
 @dataclass(frozen=True, slots=True)
 class BentPins:
-    """Pins that bend, of the output or of the ring, as they are judged."""
+    """Bending pins of the output or of the ring, as they are judged."""
 
-    found: PinStrength  # what they bear
-    pin: DesignPin  # one of them
-    at: Callable[[float], Mapping[str, Any]]  # where they bear most, by the section along them, m
-    solved: bool  # whether their forces do not grow with the torque
+    found: PinStrength  # stresses and deflections
+    pin: DesignPin  # one of the pins
+    at: Callable[[float], Mapping[str, Any]]  # place of a section at a position along the pin, m
+    solved: bool  # True if forces are not proportional to the torque
 
     @property
     def error(self) -> float:
@@ -111,15 +109,15 @@ class BentPins:
         return 4 * float(self.found.accuracy.relative_error)
 
     def judged(self, kind: Kind, value: float, limit: float, **more: Any) -> Check:
-        """A stress or a safety against its limit: the torque has the reserve that it has."""
+        """Check of a stress or safety, whose reserve is the reserve of the torque."""
         reserve = limit / value if kind.keep == "below" else value / limit
         return kind.judged(
             value, limit, reserve=reserve, error=self.error, solved=self.solved, **more
         )
 
     def static(self, kind: Kind, safety: float) -> Check:
-        """Static strength, with a safety that is required, where they bear most; of a plastic pin
-        across its layers, unless they are said to lie otherwise: necessary only.
+        """Check of static strength with a required safety at the largest moment; only necessary for
+        a plastic pin, whose strength counts across its layers unless stated otherwise.
         """
         at = self.at(self.found.peak_moment_position)
         stress, pin, material = self.found.static_stress, self.pin, self.pin.material
@@ -135,16 +133,14 @@ class BentPins:
         return _of_size(pin, self.judged(kind, stress, limit, at=at))
 
     def fatigue(self, kind: Kind, safety: float) -> Check:
-        """Fatigue, of which there is a cycle, with a safety that is required, where it is least."""
+        """Check of fatigue with a required safety, at the section of least safety."""
         cycle = self.found.fatigue
         check = self.judged(kind, cycle.safety_factor, safety, at=self.at(cycle.position))
         short = cycle.short and not check.reason
         return _of_size(self.pin, check._replace(reason="finite_life") if short else check)
 
     def bent(self, name: str, at: str) -> Measure:
-        """The largest deflection or slope in a satellite, by the names of these and of where that
-        is.
-        """
+        """Largest deflection or slope in a satellite; `at` names the attribute of its place."""
         deflection = self.found.deflection
         return Measure(
             float(getattr(deflection, name)),
@@ -156,7 +152,7 @@ class BentPins:
 
 
 def _section(design: Design, position: float) -> dict[str, Any]:
-    """Which end of a pin that a tie ring holds a section is, where it is one."""
+    """End section of a pin with a tie ring at a position, m; empty elsewhere."""
     if not design.tied:
         return {}
     end = section_of(position=position, span=design.pin.known_span)
@@ -164,31 +160,31 @@ def _section(design: Design, position: float) -> dict[str, Any]:
 
 
 def _output(results: Results) -> BentPins:
-    """The pins of the output, or the bolts through them."""
+    """Output pins, or the bolts through them."""
     at = partial(_section, results.design)
     return BentPins(results.pin_strength, results.bent_pin, at, solved=results.solved)
 
 
 def _ring(results: Results) -> BentPins:
-    """The pins of the ring, whose forces are solved."""
+    """Ring pins, whose forces are solved."""
     found = results.ring.pin_strength
     return BentPins(found, results.ring.pin, lambda _: {"pin": found.pin}, True)
 
 
 def _tired_output(results: Results) -> BentPins:
-    """The pins of the output, by whose fatigue they are judged: it is known, or raises."""
+    """Output pins with their fatigue; raises if it is not known."""
     pins, _ = _output(results), results.fatigue_strength
     return pins
 
 
 def _tired_ring(results: Results) -> BentPins:
-    """The pins of the ring, likewise."""
+    """Ring pins with their fatigue; raises if it is not known."""
     _, pins = results.ring.pin_fatigue_strength, _ring(results)
     return pins
 
 
 def _not_bent(design: Design, results: Results) -> str:
-    """Why a check is none of pins of the ring that bend; empty where they do."""
+    """Code of the reason why a check of bending ring pins does not apply; empty if it does."""
     if other := not_cycloid(design, results):
         return other
     return "pins_in_seats" if design.cycloid.pin_support == "seat" else ""
@@ -196,15 +192,15 @@ def _not_bent(design: Design, results: Results) -> str:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Place:
-    """Pins that bend: a row."""
+    """Row of a place of bending pins."""
 
     row: Element
-    of: Callable[[Results], BentPins]  # what they bear
-    tired: Callable[[Results], BentPins]  # with their fatigue
+    of: Callable[[Results], BentPins]  # pins without fatigue
+    tired: Callable[[Results], BentPins]  # pins with fatigue
     loaded: Paths  # inputs of their forces
-    turns: str  # input that says whether they turn
-    thicker: tuple[str, ...]  # what may cure them
-    at_peak: str = ""  # and their static strength besides
+    turns: str  # input that is true if they turn
+    thicker: tuple[str, ...]  # inputs that a fix may change
+    at_peak: str = ""  # further inputs of the static strength
 
 
 _OUTPUT = _Place(
@@ -273,7 +269,7 @@ def _fatigue(place: _Place) -> Kind:
 
 
 def _bent(place: _Place, sort: str, *names: str) -> Kind:
-    """Deflection or slope, where a limit is asked of the softest material that sources allow."""
+    """Check of deflection or slope; a requested limit is judged with the least known moduli."""
     asks = _SORTS[sort]["asks"]
 
     @place.row.check(
@@ -331,7 +327,7 @@ _bolt_check = Element(
 def _gripped(
     kind: Kind, results: Results, value: float, most: float | None, safety: float = 1.0
 ) -> Check:
-    """A load of the root that the preload has to hold; beyond it the bolt is judged alone."""
+    """Check of a load of the root against the preload; beyond it the bolt is judged alone."""
     said = {"value": value, "status": "not_applicable"}
     limit = judged_by(most, "bolt_alone", **said) / safety
     return kind.judged(

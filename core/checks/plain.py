@@ -1,5 +1,5 @@
-"""Checks of designs whose inputs do not hang on each other: swinging rollers (stress, load sharing,
-room, tilt), the precessional gear and its shaft (room, deflection, slope, strength, pressure).
+"""Checks of swinging rollers (stress, load sharing, room, tilt), and of the precessional gear with
+its shaft (room, deflection, slope, strength, pressure).
 """
 
 import math
@@ -32,39 +32,32 @@ MISSING = {
     "endurance_unknown": ("tensile_strength",),
     "notch_unknown": ("fatigue.fatigue_notch_factor",),
 }
-"""Inputs that are missing where a fatigue is not known, by the code that says why."""
+"""Inputs that are not given if the fatigue is not known, by the code of the reason."""
 
 ROLLER_LENGTH = 10.0
-"""Usual least length of a swinging roller, from end to end, over the eccentricity."""
+"""Usual least length of a swinging roller from end to end, over the eccentricity."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class RollerDesign:
-    """Swinging rollers, as they are checked.
+    """Swinging rollers with their results and requirements."""
 
-    Attributes
-    ----------
-    spacing : as of `roller_strength`
-    fatigue : CycleFatigue or Notice
-        Fatigue of the rollers, or why it is not known, where that is asked.
-    """
-
-    result: RollerStrength  # their load sharing and strength
+    result: RollerStrength  # load sharing and strength
     output_torque: float  # T, N*m
     hole_circle_radius: float  # R, m
     rollers: int  # n
     sphere_diameter: float  # D, m
     cylinder_length: float  # l, m
     sphere_width: float  # b, m
-    spacing: Spacing
+    spacing: Spacing  # argument of `roller_strength`
     yield_strength: float | None = None  # R_e, Pa
     eccentricity: float | None = None  # e of the crank, m
-    fatigue: CycleFatigue | Notice = not_given("fatigue")
+    fatigue: CycleFatigue | Notice = not_given("fatigue")  # or the reason why it is not known
     requirements: Requirements = Requirements()
 
     def reserve(self, growth: float) -> float:
-        """Factor on the torque at which the largest force is so many times larger."""
-        # F_i = c*max(0, Delta - g_i): what the rollers carry then
+        """Factor on the torque at which the largest force is `growth` times larger."""
+        # Roller forces are F_i = c*max(0, Delta - g_i).
         largest = float(self.result.max_force) * growth
         ahead = [float(gap) for gap in self.spacing.gaps(self.rollers)]
         first = min(ahead)
@@ -81,36 +74,24 @@ class RollerDesign:
 
 @dataclass(frozen=True, kw_only=True)
 class ShaftDesign:
-    """A precessional gear and its shaft, as they are checked.
+    """Precessional gear and its shaft with their results and requirements."""
 
-    Attributes
-    ----------
-    positions : sequence of float
-        Position angles of the wheel's rollers, rad; the same one twice is one roller.
-    strength : ShaftStrength
-        Its bending strength, where that is asked.
-    fatigue_asked : bool
-        Whether its fatigue is asked; without a cycle in `strength` the load is steady.
-    contact : LineContact
-        Pressure along the contact lines, where the curvature of the teeth is given.
-    """
-
-    result: ShaftDeflection  # the shaft's deflection and slope
-    positions: Sequence[float]
+    result: ShaftDeflection  # deflection and slope of the shaft
+    positions: Sequence[float]  # angles of the wheel's rollers, rad; equal ones are one roller
     roller_circle_radius: float  # R_C, m
     roller_radius: float  # rho, m
-    diameters: Sequence[float]  # of the shaft, m
-    strength: ShaftStrength = not_given("strength")
+    diameters: Sequence[float]  # diameters of the shaft, m
+    strength: ShaftStrength = not_given("strength")  # bending strength of the shaft
     yield_strength: float | None = None  # R_e of the shaft, Pa
-    fatigue_asked: bool = False
-    no_fatigue: Notice | None = None  # why that is not known
-    contact: LineContact = not_given("contact")
-    # Of roller and tooth, Pa, by the paths of their materials, as far as they are known.
+    fatigue_asked: bool = False  # a load without a cycle in `strength` is steady
+    no_fatigue: Notice | None = None  # reason why fatigue is not known
+    contact: LineContact = not_given("contact")  # pressure, if the teeth's curvature is given
+    # Limits of roller and tooth, Pa, by paths of their materials, as far as they are known.
     pressure_limits: Mapping[str, float] = field(default_factory=dict)
     requirements: Requirements = Requirements()
 
     def reserve(self, growth: float) -> float:
-        """Factor on the torque at which stresses are so many times larger: they grow with it."""
+        """Factor on the torque at which stresses are `growth` times larger: the growth itself."""
         return growth
 
     @property
@@ -133,7 +114,7 @@ _SHAFT = (_LINES, "reference_z bearing_distance overhang shaft_diameter shaft_se
 """Inputs of the moments along the shaft."""
 
 LINE_MATERIALS = ("line_contact.roller_material", "line_contact.mating_material")
-"""Materials of what touches along the contact lines."""
+"""Materials of the parts that touch along the contact lines."""
 
 _roller, _shaft = Element("rollers"), Element("shaft")
 _bending = Element("shaft", fixes="shaft_diameter overhang bearing_distance", source="beam")
@@ -142,7 +123,7 @@ _room = Element("room", unit="mm", keep="above")
 
 
 def _static(kind: Kind, design: Plain, stress: float) -> Check:
-    """A bending stress against the yield strength, with the safety that is required."""
+    """Check of a bending stress against the yield strength over the required safety."""
     strength = judged_by(design.yield_strength, "yield_unknown", "yield_strength", value=stress)
     limit = strength / design.requirements.bending_safety
     reserve = design.reserve(limit / stress) if stress > 0 else None
@@ -150,7 +131,7 @@ def _static(kind: Kind, design: Plain, stress: float) -> Check:
 
 
 def _lasting(kind: Kind, design: Plain, fatigue: CycleFatigue | Notice) -> Check:
-    """The safety of a stress cycle, or why it is not known, against the one that is asked."""
+    """Check of the safety of a stress cycle, or the reason why it is not known."""
     safety = design.requirements.fatigue_safety
     if isinstance(fatigue, Notice):
         why = fatigue.code
@@ -247,9 +228,9 @@ def roller_room(kind: Kind, design: RollerDesign) -> Check:
     source="ovsyannikov_2019_length",
 )
 def roller_tilt(kind: Kind, design: RollerDesign) -> Check:
-    """By Ovsyannikov et al. 2019, before fig. 3: "the length of a roller usually exceeds the centre
-    distance at least 10 times", a tilt of about 12°. The whole length is meant, two cylinders
-    and three spheres: over half of it, 5*e, the centre moves by e, 11.3°.
+    """Ovsyannikov et al. 2019, before fig. 3: "the length of a roller usually exceeds the centre
+    distance at least 10 times", a tilt of about 12°. The whole length, two cylinders and three
+    spheres, is compared: over half of it, 5*e, the centre moves by e, 11.3°.
     """
     length = 2 * design.cylinder_length + 3 * design.sphere_width
     said = {"value": length, "status": "not_asked"}
@@ -294,7 +275,7 @@ def shaft_in_circle(kind: Kind, design: ShaftDesign) -> Check:
 
 
 def _bent(design: ShaftDesign, name: str) -> Measure:
-    """The larger deflection or slope of the shaft, in B or C."""
+    """Larger deflection or slope of the shaft in the bearings B and C."""
     largest = max(getattr(design.result, f"{name}_{place}").total for place in "BC")
     return Measure(largest, error=design.error, reserve=float)
 
@@ -357,7 +338,7 @@ def shaft_static(kind: Kind, design: ShaftDesign) -> Check:
     needs="strength fatigue_asked",
 )
 def shaft_fatigue(kind: Kind, design: ShaftDesign) -> Check:
-    """Its reversed bending; a load that turns with the shaft bends it one way."""
+    """Fatigue in reversed bending; a load that turns with the shaft bends it steadily."""
     fatigue = design.no_fatigue or if_known(lambda: design.strength.fatigue)
     if not fatigue:
         return Check(kind, "not_applicable", reason="steady_load")
@@ -380,7 +361,7 @@ def shaft_fatigue(kind: Kind, design: ShaftDesign) -> Check:
     needs="contact",
 )
 def line_pressure(kind: Kind, design: ShaftDesign) -> Check:
-    """Against the lower of both limits, where both are known."""
+    """Compare the pressure with the lower limit of roller and tooth; a missing one is open."""
     pressure, limits = design.contact.max_pressure, design.pressure_limits
     missing = tuple(name for name in LINE_MATERIALS if name not in limits)
     error = 4 * float(design.contact.accuracy.relative_error)
@@ -403,19 +384,19 @@ SHAFT = (
 
 
 def _verdict(kinds: Iterable[Kind], design: Plain, left: Iterable[str]) -> Verdict:
-    """Verdict of the checks for which a design has what they need; with what is left out."""
+    """Verdict of the checks whose needs a design meets, with the subjects left out."""
     there = [kind for kind in kinds if all(getattr(design, each) for each in kind.needs)]
     return verdict([kind.of(design) for kind in there], tuple(left))
 
 
 def roller_checks(design: RollerDesign) -> Verdict:
-    """All checks of swinging rollers."""
+    """Verdict of all checks of swinging rollers."""
     left = ("roller_contact", *(() if design.fatigue else ("fatigue",)), "friction")
     return _verdict(ROLLERS, design, left)
 
 
 def shaft_checks(design: ShaftDesign) -> Verdict:
-    """All checks of a precessional gear and its shaft."""
+    """Verdict of all checks of a precessional gear and its shaft."""
     limits = {"deflection": "max_deflection", "slope": "max_slope"}
     left = [name for name, limit in limits.items() if not asked_of(design, limit)]
     if not design.contact:

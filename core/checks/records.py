@@ -10,7 +10,7 @@ CHECKS = CRANK_CHECKS | {kind.code: kind for kind in (*ROLLERS, *SHAFT)}
 
 
 def record(code: str) -> Kind:
-    """The record of a check: what a check that goes to another process has instead of it."""
+    """Record of a check by its code, from which a pickled check is restored."""
     return CHECKS[code]
 
 

@@ -1,9 +1,9 @@
-"""The verdict of a crank-planetary reducer: whether it holds, whether it holds a tenth more torque,
-and, where that is asked, the torque at which it first fails.
+"""Verdict of a crank-planetary reducer under its torque and under a tenth more, and on request the
+torque at which it first fails.
 
-Clearance and deviations share a small torque among fewer pairs, so forces that are solved do not
-grow in proportion to it: the design is solved again under another one. A reserve is a torque that
-was looked at and held, beside one that was looked at and failed; no other is stated.
+Clearance and deviations concentrate a small torque on fewer pairs, so that solved forces are not
+proportional to the torque and the design is solved again under another one. A stated reserve is a
+torque at which all checks were made and held, next to one at which a check was made and failed.
 """
 
 import math
@@ -14,57 +14,53 @@ from core.checks.crank_planetary import crank_check, crank_checks, of_parts
 from core.design.results import Results
 
 LOOKS = 12
-"""Torques at most that are looked at for one at which a check fails."""
+"""Largest number of torques that are tried to find the first failure."""
 
 NEAR, KNOWN = 1.01, 1.05
-"""How many times larger a torque that fails is than one that holds, at which no other is looked at,
-and up to which that one is a reserve.
-"""
+"""Ratio of a failing torque to a holding one at which no further torque is tried, and up to which
+the holding one is a reserve."""
 
 STRIDE = 10.0
-"""How many times larger or smaller the next torque is at most, while all hold, or none does."""
+"""Largest factor between one torque and the next while all hold, or none does."""
 
 FAR = 1.3
-"""Factor on the torque that a check has left, by its value, with which it is not looked at under
-`MARGIN` times the torque, where another one is: what is left fell by 1.21 times at most in 293
-designs, by a number that grows with the square of the torque.
-"""
+"""Torque reserve by its value above which a check is not tried under `MARGIN` times the torque if
+another one is. In 293 designs the reserve fell by a factor of 1.21 at most, for a value that grows
+with the square of the torque."""
 
 FARTHEST = 1e6
-"""Times the torque beyond which no check is expected at its limit."""
+"""Factor on the torque beyond which no check is expected at its limit."""
 
 LEAST = 1e-6
-"""Part of a torque that fails, below which none is looked for: of parts that press without any."""
+"""Least part of a failing torque that is tried, as parts with interference press without torque."""
 
 TOO_MUCH = ("not_stable", "not_balanced", "beyond_hertz", "contact_wraps")
-"""Reasons for which a check is not known under a torque, and may be under less."""
+"""Reasons why a check is not known under a torque, but may be under less."""
 
 BY_RANGE = ("range_decides", "default_decides")
-"""Reasons for which a check fails by one end of what is not typed, and is marginal."""
+"""Reasons of a marginal check that fails only at one end of the range of an assumed value."""
 
 DOUBTS = ("pressure_error", "shakedown_unknown", *BY_RANGE)
-"""Reasons for which a check is marginal whatever it is under other torques."""
+"""Reasons of a marginal check that other torques do not change."""
 
 
 def crank_verdict(results: Results, *, largest: bool = False) -> Verdict:
-    """All checks of a crank-planetary reducer, judged under the torque and under a tenth more.
+    """Verdict of a crank-planetary reducer under its torque and under `MARGIN` times its torque.
 
     Parameters
     ----------
-    results : Results
-        Results of a design.
     largest : bool
-        Whether the torque is looked for at which it first fails.
+        True searches for the torque at which the first check fails. For solved forces the torque
+        reserve is known only then: the largest torque tried that holds, with a failing one at most
+        `NEAR` times larger, or `KNOWN` times at a jump.
 
     Returns
     -------
     Verdict
-        Where forces cannot be solved, or a contact wraps around its pin, a check fails that does so
-        under less torque, at which it is known, but of discs in series on unlike pins, which take
-        long. A check whose forces are solved is marginal that fails, or is not known, under
-        `MARGIN` times the torque. Where forces are solved a reserve is known only where the largest
-        torque is asked: that of the check which fails first, at the largest torque looked at that
-        holds, with one that fails at most `NEAR` times as large, beside a jump `KNOWN` times.
+        A check with solved forces that fails, or is not known, under `MARGIN` times the torque is
+        marginal. If forces cannot be solved or a contact wraps around its pin, a check that fails
+        under less torque fails; this is not tried for discs in series on unlike pins, which takes
+        long.
     """
     torques = _judged(results)
     found = torques.found
@@ -82,9 +78,7 @@ def crank_verdict(results: Results, *, largest: bool = False) -> Verdict:
 
 
 def _surer(solved: Check, equal: Check) -> Check:
-    """A check of satellites that may share the load in two ways: it fails where it fails by both,
-    and is not judged where by one.
-    """
+    """Check of satellites with two ways of sharing: fails if both fail, not judged if one fails."""
     if solved.status == equal.status:
         return equal if solved.reason in TOO_MUCH else solved
     if "fail" not in (solved.status, equal.status):
@@ -95,13 +89,13 @@ def _surer(solved: Check, equal: Check) -> Check:
 
 
 def _changed(results: Results, found: Verdict, others: list[Check]) -> Verdict:
-    """The verdict with other checks in the place of those of their codes."""
+    """Verdict with some checks replaced by others of equal code."""
     by_code = {each.code: each for each in (*found.checks, *others)}
     return of_parts(design=results.design, checks=by_code.values())
 
 
 def _judged(results: Results) -> "_Torques":
-    """All checks under the torque and `MARGIN` times it; by both they are ordered."""
+    """All checks under the torque and `MARGIN` times it, ordered by both."""
     torques = _Torques(results, _failed_before(results, crank_checks(results)))
     sure = [
         each
@@ -117,7 +111,7 @@ def _judged(results: Results) -> "_Torques":
             seen.append(check._replace(status="pass"))
             continue
         holds = _holds(torques.at(MARGIN, check.code))
-        far = math.inf if holds is None else far  # forces that are not known, of others neither
+        far = math.inf if holds is None else far  # unknown forces are unknown for all checks
         check = check._replace(status="pass" if holds else "marginal")
         if check.by_torque:
             nearer = (max if holds else min)(torques.root(check.code), MARGIN)
@@ -128,9 +122,7 @@ def _judged(results: Results) -> "_Torques":
 
 
 def _failed_before(results: Results, found: Verdict) -> Verdict:
-    """Checks of which those fail that are not known, as the torque is too much, and fail under
-    less: it is passed on the way to the torque, whatever comes then.
-    """
+    """Verdict in which checks unknown under too much torque fail if they fail under less torque."""
     open_parts = {part.code for part in found.parts if part.status == "open"}
     of_open = (each for each in found.checks if each.opens and each.kind.part in open_parts)
     unknown = {each.code: each for each in of_open if each.reason in TOO_MUCH}
@@ -156,9 +148,7 @@ def _failed_before(results: Results, found: Verdict) -> Verdict:
 
 
 def _holds(check: Check) -> bool | None:
-    """True where a check holds, over the range of what is not typed too; None where it is not
-    known.
-    """
+    """True if a check holds over the range of assumed values too; None if it is not known."""
     if check.status == "not_checked" and not check.only_needed:
         return None
     over = check.by_torque and check.reserve < 1
@@ -166,9 +156,7 @@ def _holds(check: Check) -> bool | None:
 
 
 def _left(check: Check) -> float:
-    """Reserve of a check under its torque, or else its limit over its value; 0 where that
-    is not known.
-    """
+    """Torque reserve of a check, or else its limit over its value; 0 if that is not known."""
     return check.reserve if check.by_torque else 1 / (check.utilisation or math.inf)
 
 
@@ -179,7 +167,7 @@ class _Torques:
         self.results, self.found = results, found
         counted = [each for each in found.checks if _holds(each) is not None and not each.warning]
         self.grow = [each for each in counted if each.by_torque]
-        # Codes of those whose forces are solved; of such a design others that hold may fail too.
+        # Codes of checks that other torques move; with solved forces any loaded check may fail.
         self.moved = [each.code for each in self.grow if each.solved]
         if self.moved or results.solved:
             others = (each for each in counted if each.kind.loaded and not each.by_torque)
@@ -189,7 +177,7 @@ class _Torques:
         self.there: dict[float, Results] = {}
 
     def at(self, factor: float, code: str) -> Check:
-        """A check under so many times the torque."""
+        """Check under a factor on the torque."""
         if factor not in self.looks:
             self.looks[factor], self.there[factor] = {}, self.results.under(factor)
         made = self.looks[factor]
@@ -198,20 +186,18 @@ class _Torques:
         return made[code]
 
     def look(self, factor: float) -> dict[str, Check]:
-        """The checks that have to be made again under so many times the torque."""
+        """Checks to be made again under a factor on the torque."""
         return {code: self.at(factor, code) for code in self.moved}
 
     def holds(self, factor: float) -> bool | None:
-        """True where all checks hold under so many times the torque; None where it is unknown."""
+        """True if all checks hold under a factor on the torque; None if that is not known."""
         if factor > self.exact:
             return False
         found = {_holds(check) for check in self.look(factor).values()}
         return False if False in found else None if None in found else True
 
     def bracket(self) -> tuple[float, float] | None:
-        """Factors on the torque beside each other, at which all checks hold and the first one
-        fails; None where no torque is found that holds, or none beside it that fails.
-        """
+        """Neighbouring torque factors where all checks hold and the first fails, or None."""
         held, failed, above, factor, slow = 0.0, math.inf, math.inf, 1.0, 0
         for _ in range(LOOKS):
             apart = above / held if held else math.inf
@@ -222,7 +208,7 @@ class _Torques:
                 return held, math.inf
             if held and above <= NEAR * held:
                 break
-            # Halved where no check says where the unknown begins, or two looks came no nearer.
+            # Bisect if no check predicts where the unknown begins, or two tries came no nearer.
             slow = slow + 1 if held and above / held > math.sqrt(apart) else 0
             halves = held and (above < failed or slow == 2)
             factor = math.sqrt(held * above) if halves else self.next(held, above)
@@ -232,9 +218,7 @@ class _Torques:
         return (held, failed) if held and failed <= KNOWN * held else None
 
     def next(self, held: float, above: float) -> float:
-        """The torque to look at, a little below that at which the first check should fail; 0 where
-        less cures nothing, or more breaks nothing.
-        """
+        """Next factor to try, below the expected failure; 0 if no other torque can help."""
         root = min(map(self.root, self.moved), default=FARTHEST)
         wanted = self.exact if self.exact <= root else root / math.sqrt(NEAR)
         if not held:
@@ -248,9 +232,7 @@ class _Torques:
         return near if held < near < above else math.sqrt(held * above)
 
     def root(self, code: str) -> float:
-        """Factor at which a check should be at its limit, by the power of the torque between the
-        two looks that are next to it; 0 where less torque does not cure it.
-        """
+        """Expected factor at a check's limit, by a power law; 0 if less torque does not cure it."""
         looks = self.looks.items()
         left = ((_left(each[code]), factor) for factor, each in looks if code in each)
         known = ((math.log(y), math.log(factor)) for y, factor in left if 0 < y < math.inf)
@@ -264,7 +246,7 @@ class _Torques:
         return min(math.exp(min(x - y / slope, 99.0)), FARTHEST)
 
     def between(self, reserve: float, failed: float) -> Verdict:
-        """The verdict with a reserve, which is that of the check that fails next to it."""
+        """Verdict with the reserve found, given to the check that fails next to it."""
         failing = (each for each in self.looks.get(failed, {}).values() if _holds(each) is False)
         first = min(failing, key=_left, default=None)
         seen = []

@@ -1,4 +1,4 @@
-"""Which satellite carries how much of the torque, where they do not share it alike, and why."""
+"""Shares of the torque that the satellites carry, if they are uneven, and the cause."""
 
 import math
 from dataclasses import dataclass
@@ -22,50 +22,50 @@ ShareReason = Literal[
 ]
 
 ALIKE = 0.01
-"""Part of 1/K by which shares may differ and be called alike."""
+"""Largest difference of shares, over 1/K, that counts as even."""
 
 UNEVEN = 1.1
-"""Share times K above which the sharing is said to be uneven."""
+"""Share times K above which sharing is reported as uneven."""
 
 EVEN_CRANKS = 1e-9
-"""Difference of the angles between cranks that is rounding, rad."""
+"""Difference of the angles between cranks that counts as rounding, rad."""
 
 
 @dataclass(frozen=True, slots=True)
 class DiscShare:
-    """Load of a satellite."""
+    """Load of one satellite."""
 
-    satellite: int  # from 1
+    satellite: int  # number, from 1
     torque: float  # mean over the turn, N*m
-    share: float  # of the whole
-    share_at_peak: float  # where the force is largest
+    share: float  # part of the whole torque
+    share_at_peak: float  # share at the largest force
 
 
 @dataclass(frozen=True, slots=True)
 class Governed:
-    """A number that hangs on the shares."""
+    """Check that depends on the shares."""
 
     check: Check
-    even: Check | None  # the same where satellites share alike, if that needs no other solution
+    even: Check | None  # the check with even shares, if that needs no other solution
 
 
 @dataclass(frozen=True, slots=True)
 class DiscShares:
-    """How the satellites share the torque."""
+    """Shares of the torque of all satellites."""
 
-    model: ShareModel  # by forces that are solved, by a factor, or by shares that are stated
+    model: ShareModel  # solved forces, a load-sharing factor, or stated shares
     discs: tuple[DiscShare, ...]  # each satellite
-    reason: ShareReason  # what makes them differ most
-    governs: tuple[Governed, ...]  # checks that decide a part and rest on the shares
+    reason: ShareReason  # main cause of the difference
+    governs: tuple[Governed, ...]  # deciding checks that depend on the shares
 
     @property
     def largest(self) -> DiscShare:
-        """The satellite that carries most."""
+        """Satellite that carries most."""
         return max(self.discs, key=lambda each: each.share)
 
     @property
     def notices(self) -> tuple[Notice, ...]:
-        """Warning that one carries much more than its part."""
+        """Warning if one satellite carries much more than an even share."""
         largest, even = self.largest, 1 / len(self.discs)
         if largest.share <= UNEVEN * even:
             return ()
@@ -74,15 +74,8 @@ class DiscShares:
 
 
 def disc_shares(*, results: Results, found: Verdict) -> DiscShares | None:
-    """How the satellites share the torque, over the turn; None where all carry 1/K, within `ALIKE`,
-    or nothing is known of their forces.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design.
-    found : Verdict
-        Its checks.
+    """Shares of the torque over the turn; None if all differ from 1/K by at most `ALIKE`, or forces
+    are not known. `found` is the verdict of the design.
     """
     design = results.design
     count = design.mechanism.satellites
@@ -104,7 +97,7 @@ Sharing = tuple[ShareModel, ShareReason, tuple[DiscShare, ...]]
 
 
 def _by_factor(results: Results) -> Sharing:
-    """One satellite with K_alpha/K, that of the largest pressure; the others with what is left."""
+    """Shares with K_alpha/K for the satellite of the largest pressure; the rest share evenly."""
     design = results.design
     count, torque = design.mechanism.satellites, design.pin_torque
     place = if_known(lambda: results.peak) or {}
@@ -116,7 +109,7 @@ def _by_factor(results: Results) -> Sharing:
 
 
 def _by_forces(results: Results) -> Sharing | None:
-    """By the forces that are solved; None where all satellites are alike."""
+    """Shares by solved forces; None if all satellites are alike."""
     design = results.design
     if _alike(results) and not results.in_series:
         return None
@@ -139,7 +132,7 @@ def _by_forces(results: Results) -> Sharing | None:
 
 
 def _alike(results: Results) -> bool:
-    """True where every satellite meets over the turn what every other one does."""
+    """True if every satellite meets equal conditions over the turn."""
     design = results.design
     angles = sorted(each % (2 * math.pi) for each in design.built.crank_angles)
     gap = 2 * math.pi / len(angles)
@@ -150,14 +143,12 @@ def _alike(results: Results) -> bool:
 
 
 def _deviating(results: Results) -> bool:
-    """True where a size or a place deviates."""
+    """True if a size or a place deviates."""
     return results.design.output_deviations not in (None, Deviations())
 
 
 def _reason(results: Results, shares: list[float]) -> ShareReason:
-    """Cause that makes them differ most: bending where it explains half, by springs in parallel,
-    one for each satellite, of contact and pin in series.
-    """
+    """Main cause of the difference; bending if parallel springs of contact and pin explain half."""
     design, count = results.design, len(shares)
     most = shares.index(max(shares))
     bends = design.pin and design.pin.satellite_positions
@@ -178,7 +169,7 @@ def _reason(results: Results, shares: list[float]) -> ShareReason:
 
 
 def _governed(results: Results, found: Verdict) -> tuple[Governed, ...]:
-    """The checks that decide, of those that grow with the forces of satellites."""
+    """Deciding checks that depend on the shares, each with its result for even shares."""
     design = results.design
     decide = {found.governing, *(part.governing for part in found.parts)}
     even: Results | None = None

@@ -1,5 +1,5 @@
-"""Checks of teeth and lobes by what geometry alone says of them: the ring's force, teeth that can
-mesh, involute teeth as they are made, cycloid discs on the pins of their ring.
+"""Geometric checks of teeth and lobes: force of the ring, teeth that can mesh, involute teeth as
+they are made, cycloid discs on their ring pins.
 """
 
 from functools import partial
@@ -19,36 +19,35 @@ from core.ring.possible_teeth import possible_teeth
 from core.ring.profile import CycloidDisc
 
 LEAST_RATIO = 1.05
-"""Least contact ratio of which errors leave enough; 1.1 few pairs of one tooth of difference have.
-"""
+"""Least contact ratio that errors leave sufficient; few pairs with one tooth of difference reach
+1.1."""
 
 LEAST_CLEARANCE = 0.15
 """Least usual clearance of a tip, in modules."""
 
 LEAST_TIP = 0.25
-"""Least usual thickness of a tip, in modules; hardened through it would break."""
+"""Least usual thickness of a tip, in modules; a thinner tip breaks when hardened through."""
 
 HEIGHTS = tuple(
     f"{body}_{height}" for body in ("satellite", "ring") for height in ("addendum", "tip_radius")
 )
-"""Inputs that say where tips are."""
+"""Inputs of the places of tips."""
 
 NEAR_UNDERCUT = 1.1
-"""Least bend of the pins' path over their radius for which errors leave a part of the flank."""
+"""Least radius of curvature of the pins' path over the pin radius that leaves flank despite
+errors."""
 
 NOT_OF: dict[RingKind, str] = {"involute": "no_involute", "cycloid": "no_ring_pins"}
-"""Why a check is not one of a ring, by the kind that it is of."""
+"""Codes of the reason why a check does not apply, by the kind of ring that it judges."""
 
 
 def _other_ring(design: Design, results: Results, *, kinds: tuple[RingKind, ...]) -> str:
-    """Why a check is none of the ring of a design, by the first of the kinds that it is of; empty
-    where it is of this ring, which can be.
-    """
+    """Code of the reason why a check of some kinds of rings does not apply to a design."""
     own = design.gear.kind
     if own not in kinds:
         return NOT_OF[kinds[0]]
     if own == "cycloid":
-        _ = results.ring.force  # which refuses a disc whose path crosses itself
+        _ = results.ring.force  # `force` refuses a disc whose path crosses itself
     return ""
 
 
@@ -79,7 +78,7 @@ _disc_check = Element("gear", "teeth", "contact gear", keep="above", not_of=not_
     source="steep",
 )
 def pressure_angle(kind: Kind, design: Design, results: Results) -> Check:
-    if_known(lambda: results.ring.force)  # a ring that cannot be is refused, of whatever kind
+    if_known(lambda: results.ring.force)  # refuses a ring of any kind that cannot exist
     if design.gear and design.gear.kind != "involute":
         return Check(kind, "not_applicable", reason="no_involute")
     angle = results.ring.force.operating_pressure_angle
@@ -98,7 +97,7 @@ def pressure_angle(kind: Kind, design: Design, results: Results) -> Check:
 )
 def mesh_possible(kind: Kind, design: Design, results: Results) -> Check:
     gear = design.involute
-    eccentricity, _ = design.known_eccentricity, results.ring.force  # which refuses base circles
+    eccentricity, _ = design.known_eccentricity, results.ring.force  # `force` refuses base circles
     if not gear.unknown_teeth:
         return Check(kind, "not_applicable", reason="teeth_given")
     low, high = STANDARD_ANGLES
@@ -119,9 +118,7 @@ def mesh_possible(kind: Kind, design: Design, results: Results) -> Check:
 
 
 def _refused(kind: Kind, results: Results, *names: str) -> Check | None:
-    """A check that fails, as no such teeth can be by one of some inputs of the ring; None where
-    these are not refused.
-    """
+    """Failing check if some named inputs of the ring make teeth impossible; None otherwise."""
     try:
         _ = results.ring.pair
     except NotKnown as why:
@@ -137,14 +134,14 @@ def _refused(kind: Kind, results: Results, *names: str) -> Check | None:
 def _usual(
     kind: Kind, value: float, guide: float, *, fails: bool, warning: str = "less_than_usual"
 ) -> Check:
-    """A value that has to be there, else it fails, and is marginal below a guide."""
+    """Check of a value that is marginal below a guide value, or fails."""
     if fails:
         return kind.judged(value, guide)
     return kind.judged(value, guide, warning=warning, limit_source="guide")
 
 
 def _felt(value: float) -> float:
-    """A value, 0 where it is rounding."""
+    """Value, or 0 if it is rounding."""
     return 0.0 if abs(value) <= AS_TYPED else value
 
 
@@ -171,7 +168,7 @@ def mesh_contact_ratio(kind: Kind, design: Design, results: Results) -> Check:
     impossible=True,
 )
 def mesh_tips(kind: Kind, design: Design, results: Results) -> Check:
-    """Where the tips overlap all round nothing is measured: no tooth can pass."""
+    """Fail if the tips overlap all round, as no tooth can pass then."""
     pair = results.ring.pair
     if pair.tips_overlap_all_round:
         return Check(kind, "fail", limit=TIPS_APART, impossible=True, reason="tips_overlap")
@@ -189,9 +186,9 @@ def mesh_tips(kind: Kind, design: Design, results: Results) -> Check:
     inputs=(of.INVOLUTE_TEETH, of.INVOLUTE_RACK, of.INVOLUTE_CUTTER),
 )
 def mesh_involute(kind: Kind, design: Design, results: Results) -> Check:
-    """Judge the satellite's flanks, and the ring's where its cutter is known."""
+    """Judge the flanks of the satellite, and of the ring if its cutter is known."""
     if within := _refused(kind, results, *HEIGHTS):
-        return within  # a tip that lies within its base circle
+        return within  # the tip lies within its base circle
     pair = results.ring.pair
     of_ring = pair.ring_flank.form_roll - pair.end_roll_ring
     value = min(pair.start_roll - pair.form_roll_satellite, of_ring)
@@ -226,7 +223,7 @@ def mesh_undercut(kind: Kind, design: Design, results: Results) -> Check:
     impossible=True,
 )
 def mesh_tip_clearance(kind: Kind, design: Design, results: Results) -> Check:
-    """A ring whose cutter is not known has the root that the hob's dedendum gives it."""
+    """Judge both tip clearances; without a known cutter the hob's dedendum sets the ring's root."""
     pair = results.ring.pair
     least = min(pair.tip_clearance_satellite, pair.tip_clearance_ring) / pair.teeth.module
     found = _usual(kind, least, LEAST_CLEARANCE, fails=least < -AS_TYPED)
@@ -251,7 +248,7 @@ def mesh_tip_thickness(kind: Kind, design: Design, results: Results) -> Check:
 
 
 def torque_error(results: Results) -> float:
-    """Relative error of the largest torque of a satellite, where forces are solved."""
+    """Relative error of the largest torque of a satellite; 0 for ideal forces."""
     return CLASSES["sampling"] if results.solved else 0.0
 
 
@@ -274,7 +271,7 @@ def torque_error(results: Results) -> float:
     needed=False,
 )
 def mesh_root_stress(kind: Kind, design: Design, results: Results) -> Check:
-    """The whole force at the tip of one tooth."""
+    """Judge the root stress with the whole force at the tip of one tooth."""
     stress, given = results.ring.root_stress.stress, design.involute.root_strength
     strength = judged_by(given, "root_strength_unknown", "gear.root_strength", value=stress)
     limit = strength / design.requirements.fatigue_safety
@@ -300,7 +297,7 @@ def mesh_root_stress(kind: Kind, design: Design, results: Results) -> Check:
     needed=False,
 )
 def mesh_ring_root(kind: Kind, design: Design, results: Results) -> Check:
-    """Not known: a shaper's fillet, and the section where it breaks, are not calculated."""
+    """Leave the ring's root open, as the fillet of a shaper cutter is not calculated."""
     return Check(kind, "not_checked", reason="internal_root")
 
 
@@ -312,7 +309,7 @@ _PATH = (
 
 
 def _disc(design: Design) -> CycloidDisc:
-    """A disc; of a larger difference the flanks near the tips are cut off, and nothing is known."""
+    """Cycloid disc; a difference of teeth above 1 cuts off flanks near the tips: not known."""
     lobes, difference = design.lobes, design.gear.teeth_difference or 1
     if difference > 1:
         raise NotKnown("cycloid_difference", difference=difference)
@@ -351,7 +348,7 @@ def ring_undercut(kind: Kind, design: Design, results: Results) -> Check:
     needed=False,
 )
 def ring_valley_tool(kind: Kind, design: Design, results: Results) -> Check:
-    """Not asked where no tool is given, nor of discs that are nowhere concave."""
+    """Judge the tool radius in concave valleys; not asked without a tool."""
     tool = judged_by(design.cycloid.tool_radius, "no_tool", "gear.tool_radius", status="not_asked")
     concave = _disc(design).min_concave_radius
     if concave is None:
@@ -360,7 +357,7 @@ def ring_valley_tool(kind: Kind, design: Design, results: Results) -> Check:
 
 
 def ring_alone(results: Results) -> str | None:
-    """Why a value is of each disc by itself in its ring, where both meshes are in series."""
+    """Code that marks a value of each disc alone in its ring, if both meshes are in series."""
     return "ring_alone" if results.in_series else None
 
 
@@ -379,16 +376,16 @@ def ring_alone(results: Results) -> str | None:
 def ring_pressed(kind: Kind, design: Design, results: Results) -> Check:
     if design.gear.kind == "involute":
         if narrow := _refused(kind, results, "ring_profile_shift"):
-            return narrow  # spaces that have room for the teeth at no eccentricity
+            return narrow  # the spaces are too narrow for the teeth at any eccentricity
         pair = results.ring.pair
         over = -pair.normal_backlash
         felt = over > AS_TYPED * pair.teeth.module
         return kind.judged(over if felt else 0.0, 0.0)
     try:
         over = results.ring.working[0].interference
-    except ImpossibleMechanism as why:  # of the forces, which this asks for no more
+    except ImpossibleMechanism as why:  # the forces do not exist, and are not needed further
         angle = why.where.get("crank_angle")
-        if angle is None or why.code == "cannot_assemble":  # which says nothing of the teeth
+        if angle is None or why.code == "cannot_assemble":  # the reason does not concern the teeth
             raise
         own = results.series.teeth if results.in_series else (results.ring.mesh,)
         over = max(teeth.pressing_at(teeth.wave(angle)) for teeth in own)

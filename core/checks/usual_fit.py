@@ -1,4 +1,4 @@
-"""A design of perfect parts, or of an unknown clearance, with one as such parts usually have."""
+"""Design with a usual clearance, for perfect parts or an unknown clearance."""
 
 from core.checks.check import Verdict
 from core.checks.reserve import crank_verdict
@@ -9,28 +9,28 @@ from core.hertz import ElasticMaterial
 from core.tolerance.iso286 import fit_clearance
 
 USUAL_FIT = "H7/f7"
-"""Fit of holes and of pins or sleeves that are turned or ground."""
+"""Fit of holes with turned or ground pins or sleeves."""
 
 ROLLER_FIT = "H7/h6"
-"""Fit of holes and of the outer rings of bearings, whose tolerance lies as that of h does."""
+"""Fit of holes with outer rings of bearings, whose tolerance zone lies as h does."""
 
 PRINTED, PRINTED_CLEARANCE = "printed", 0.25e-3
-"""Radial clearance of printed holes, m: a sliding fit of FDM, for which guides of those who print
-name 0.15 to 0.5 mm.
-"""
+"""Radial clearance of printed holes, m: a sliding fit of FDM prints, for which printing guides
+state 0.15 to 0.5 mm."""
 
 SOFT = 20e9
-"""Young's modulus below which a hole is taken as printed, Pa."""
+"""Young's modulus below which a part is taken as printed, Pa."""
 
 
 def soft(material: ElasticMaterial | None) -> bool:
-    """Tell whether a part is taken as printed, by its material, where that is known."""
+    """True if a part is taken as printed, by its material."""
     return material is not None and bool(material.youngs_modulus < SOFT)
 
 
 def usual_clearance(design: Design) -> tuple[str, float]:
-    """The fit that pins and holes of such materials and sizes usually have, and its radial
-    clearance, m; `InvalidInput` of diameters that are not in the tables of fits.
+    """Usual fit of pins and holes by material and size, and its radial clearance, m.
+
+    Raises InvalidInput if a diameter is outside the tables of fits.
     """
     if soft(design.contact.hole_material):
         return PRINTED, PRINTED_CLEARANCE
@@ -41,9 +41,9 @@ def usual_clearance(design: Design) -> tuple[str, float]:
 
 
 def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:
-    """The design, of which load, contact and eccentricity are given, with a usual clearance: the
-    fit, the results and the verdict; None where it has a clearance, or is beyond the sizes of the
-    fit.
+    """Fit, results and verdict of a design with a usual clearance; load, contact and eccentricity
+    have to be given. None if the design has a clearance or the tables of fits do not cover its
+    sizes.
     """
     if if_known(lambda: design.clearance) != 0:
         return None
@@ -56,7 +56,7 @@ def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:
 
 
 def with_usual_clearance(design: Design) -> Design:
-    """The design with a usual clearance where none is known and there is a usual one."""
+    """Design with a usual clearance if none is known and there is a usual one."""
     if not (design.clearance_unknown and is_known(lambda: design.known_eccentricity)):
         return design
     try:
@@ -66,7 +66,7 @@ def with_usual_clearance(design: Design) -> Design:
 
 
 def _cleared(design: Design, clearance: float) -> Design:
-    """The design with holes that are larger by a clearance, m."""
+    """Design with holes enlarged by a radial clearance, m."""
     return changed(
         design,
         {

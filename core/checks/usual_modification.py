@@ -1,8 +1,8 @@
-"""A design of cycloid discs of which the modification, or the places of the ring's pins, are not
-known, with those that such parts usually have.
+"""Design of cycloid discs with a usual modification, or usual places of ring pins, if they are not
+known.
 
-Pieces are drawn: every pin of the ring somewhere in a round zone. An upper estimate, as only the
-contacts give in the mesh.
+Pieces are sampled with every ring pin somewhere in a round tolerance zone. Results are an upper
+estimate, as only the contacts of the mesh are elastic.
 """
 
 from contextlib import suppress
@@ -26,33 +26,33 @@ from core.ring.sharing import CycloidMesh
 from core.tolerance.draws import KINDS, uniforms, zone_places
 
 SAMPLES, SEED = 64, 0
-"""Pieces that are drawn, and of which seed."""
+"""Number of sampled pieces, and seed."""
 
 POSITIONS = 720
-"""Crank angles at which each is looked at, evenly over the turn."""
+"""Number of crank angles of each piece, evenly over the turn."""
 
 MEDIAN, OF_90 = 32, 58
-"""Which of them, in ascending order, are taken for the median and for 90 %."""
+"""Ranks, in ascending order, of the values taken as median and 90 %."""
 
 GROUND_LEAST, GROUND_SHARE = 5e-6, 1e-4
-"""Equidistant modification of ground discs: so much, m, or so much of the circle's radius."""
+"""Equidistant modification of ground discs: least value, m, and part of the circle's radius."""
 
 MADE: dict[RingClass, tuple[float, float]] = {
     "machined": (0.03e-3, 0.025e-3),
     "printed": (0.22e-3, 0.15e-3),
 }
-"""Equidistant modification, and radius of the zone of the pins, m: guides of a public tool."""
+"""Equidistant modification and zone radius of the pins, m: guide values of a public tool."""
 
 
 class Spread(NamedTuple):
-    """Values that half of the pieces keep, and nine tenths."""
+    """Values that half and nine tenths of the pieces keep."""
 
     median: float  # x_(32) of 64
     percent_90: float  # x_(58)
 
     @classmethod
     def of(cls, values: list[float]) -> "Spread":
-        """Take it of values of the pieces."""
+        """Spread of values of the pieces."""
         ascending, count = sorted(values), len(values)
         ranks = (-(-count * each // SAMPLES) - 1 for each in (MEDIAN, OF_90))
         return cls(*(ascending[rank] for rank in ranks))
@@ -60,41 +60,30 @@ class Spread(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class UsualModification:
-    """The design with such parts."""
+    """Results of a design with usual ring parts."""
 
     ring_class: RingClass
-    equidistant: float  # Delta_e of its discs, m
-    pin_zone_diameter: float  # m; 0 where the places of the pins are given
-    samples: int  # pieces that are drawn
-    crank_angles: int  # at which each is looked at
+    equidistant: float  # Delta_e of the discs, m
+    pin_zone_diameter: float  # m; 0 if the places of the pins are given
+    samples: int  # number of pieces
+    crank_angles: int  # number of crank angles of each piece
     peak_force: Spread  # over the turn, N, under the dynamic load
-    max_pressure: Spread  # likewise, Pa
-    backlash: Spread  # of the discs, rad
-    cannot_assemble: float  # share of the pieces that press without load, or cannot be
-    results: Results  # of the piece with the pressure of 90 %
-    verdict: Verdict  # of the design with it, and with a usual clearance where none is known
+    max_pressure: Spread  # over the turn, Pa, under the dynamic load
+    backlash: Spread  # backlash of the discs, rad
+    cannot_assemble: float  # share of pieces that press without load or cannot exist
+    results: Results  # results of the piece with the pressure of 90 %
+    verdict: Verdict  # verdict with that piece, and with a usual clearance if none is known
 
 
 def ring_class_of(design: Design) -> RingClass:
-    """How discs and ring are made: as is said, or printed where discs are soft, else ground."""
+    """Manufacturing class of discs and ring: as stated, printed if discs are soft, else ground."""
     usual: RingClass = "printed" if soft(design.disc_material) else "ground"
     return design.cycloid.ring_class or usual
 
 
 def usual_sizes(*, ring_class: RingClass, circle_radius: float) -> tuple[float, float]:
-    """Modification and zone of such rings.
-
-    Parameters
-    ----------
-    ring_class : {"ground", "machined", "printed"}
-        How they are made.
-    circle_radius : float
-        Radius of the circle of the ring's pins, m.
-
-    Returns
-    -------
-    tuple of float
-        Equidistant modification and radius of the zone of each pin, m.
+    """Usual equidistant modification and zone radius of each ring pin, m; the circle's radius is in
+    m.
 
     Examples
     --------
@@ -108,21 +97,8 @@ def usual_sizes(*, ring_class: RingClass, circle_radius: float) -> tuple[float, 
 
 
 def ring_places(*, pins: int, radius: float, samples: int) -> list[tuple[tuple[float, ...], ...]]:
-    """Places of the pins of rings that are drawn, evenly over round zones.
-
-    Parameters
-    ----------
-    pins : int
-        Pins of a ring.
-    radius : float
-        Of the zones, m.
-    samples : int
-        Rings.
-
-    Returns
-    -------
-    list of tuple
-        Outward and along the circle, m, of each.
+    """Radial and tangential deviations of ring pins, m, sampled evenly over round zones of a
+    radius, m, for each of `samples` rings.
     """
     of_radius, of_angle = (
         uniforms(seed=SEED, streams=[(kind, k) for k in range(pins)], samples=samples).T
@@ -134,16 +110,16 @@ def ring_places(*, pins: int, radius: float, samples: int) -> list[tuple[tuple[f
 
 @dataclass(frozen=True, slots=True)
 class _Piece:
-    """Values that are seen of a piece."""
+    """Results of one piece."""
 
     peak_force: float  # N
     max_pressure: float  # Pa
     backlash: float  # rad
-    presses: bool  # whether pairs do without load
+    presses: bool  # True if pairs press without load
 
 
 def _looked_at(mesh: CycloidMesh, torques: list[float]) -> _Piece:
-    """A piece under torques, N*m."""
+    """Results of a piece under torques, N*m."""
     places = np.linspace(0.0, 2 * np.pi, POSITIONS, endpoint=False).tolist()
     rows = [Turn(mesh, torque).poses(places) for torque in torques]
     play = rows[0]["high"] - rows[0]["low"]
@@ -157,10 +133,8 @@ def _looked_at(mesh: CycloidMesh, torques: list[float]) -> _Piece:
 
 
 def usual_modification(design: Design) -> UsualModification | None:
-    """The design with a usual modification where none is known, and with pins of the ring that
-    stand as they usually do where nothing is known of their places; None where both are known, the
-    teeth are left out, or the mesh of its ring cannot be solved
-    (`core.design.ring_results.RingResults.mesh`).
+    """Results with a usual modification if none is known, and usual places of ring pins if none are
+    stated. None if both are known, teeth are out of scope, or the ring mesh cannot be solved.
     """
     gear, made = design.gear, design.deviations or Deviations()
     placed = bool(made.ring_pin_radial or made.ring_pin_tangential)
@@ -215,19 +189,8 @@ def usual_modification(design: Design) -> UsualModification | None:
 def usual_clearance_too(
     *, design: Design, ring: UsualModification | None
 ) -> tuple[str, Results, Verdict] | None:
-    """The design with a usual clearance, and with a usual modification where none is known.
-
-    Parameters
-    ----------
-    design : Design
-        The design, with load, contact and eccentricity.
-    ring : UsualModification or None
-        The design with such a ring.
-
-    Returns
-    -------
-    tuple of str, Results and Verdict, or None
-        As `core.checks.usual_fit.usual_fit`.
+    """Fit, results and verdict of a design with a usual clearance, and with the usual modification
+    of `ring` if none is known; None as in `core.checks.usual_fit.usual_fit`.
     """
     if ring is None or design.cycloid.modification is not None:
         return usual_fit(design)

@@ -1,5 +1,5 @@
-"""Checks of what goes together: cranks and satellites, room of pins in their holes; walls and gaps
-between holes, pins and rollers, to rim, bore and axis, of sleeves; the space that satellites take.
+"""Checks of parts that have to fit together: pins in holes, walls and gaps between holes, pins and
+rollers, to rim, bore and axis, sleeves, and the outer space.
 """
 
 import math
@@ -22,12 +22,12 @@ from core.output.fit import FITS
 from core.output.mechanism import assembly_angles
 
 RIM = 2.7
-"""Least rim below the roots of involute teeth over their module: 1.2 times the height of teeth of
-the basic rack of ISO 53, as rims that do not weaken the teeth have (AGMA 2001, ISO 6336-3)."""
+"""Least rim below the roots of involute teeth over their module: 1.2 tooth heights of the basic
+rack of ISO 53, with which a rim does not weaken teeth (AGMA 2001, ISO 6336-3)."""
 
 SLEEVE = 0.1
-"""Least wall of a sleeve over the diameter of its pin: tables of cycloid drives have 0.18 to 0.27,
-wrapped bushes 0.1."""
+"""Least wall of a sleeve over the diameter of its pin: tables of cycloid drives state 0.18 to 0.27,
+and wrapped bushes have 0.1."""
 
 BETWEEN_PINS = 0.1
 """Least wall of the ring between its pins, over their diameter."""
@@ -86,17 +86,17 @@ def assembly(kind: Kind, design: Design, results: Results) -> Check:
     fixes="contact.hole_radius contact.fit",
 )
 def interference(kind: Kind, design: Design, results: Results) -> Check:
-    """By geometry, before any force: the room over the turn."""
+    """Room of the pins over the turn by geometry, before any force."""
     clearance = design.known_clearance
     try:
         room = results.rooms.room
         misfit = "" if room.state == "fits" else results.fit.misfit
     except NotKnown as why:
-        if clearance >= 0 and not design.deviations:  # the room is the clearance
+        if clearance >= 0 and not design.deviations:  # without deviations the room is the clearance
             return kind.judged(clearance, 0.0)._replace(utilisation=None)
         if not design.load:
             raise
-        if clearance < 0:  # of all pairs alike
+        if clearance < 0:  # all pairs are alike
             lacking = {
                 "satellite": 1,
                 "pin": 1,
@@ -127,7 +127,7 @@ def interference(kind: Kind, design: Design, results: Results) -> Check:
 
 
 def _apart(kind: Kind, design: Design, radius: float, *, solid: bool) -> Check:
-    """Judge the wall, or the gap, between neighbours of a radius, m, on the pin circle."""
+    """Check of the wall (`solid`) or gap between neighbours of a radius, m, on the pin circle."""
     pins = design.mechanism.pins
     if pins < 2:
         return Check(kind, "not_applicable", reason="one_only")
@@ -136,7 +136,7 @@ def _apart(kind: Kind, design: Design, radius: float, *, solid: bool) -> Check:
 
 
 def _thick(kind: Kind, design: Design, width: float, size: float) -> Check:
-    """A wall that is as thick as is asked, or else usual."""
+    """Check of a wall against the requested least wall, or a usual one."""
     least, guide = design.requirements.min_wall, design.wall_guide
     return kind.wall(width, size=size, least=least, guide=guide)
 
@@ -181,9 +181,9 @@ def holes_off_centre(kind: Kind, design: Design, results: Results) -> Check:
 
 
 def _within_roots(kind: Kind, design: Design, *, solid: bool) -> Check:
-    """The wall between the holes and the roots of the satellite's teeth: it passes by the least
-    radius of these, fails by the largest, and is not known between. Solid, it has to be as thick
-    as is asked, or usual; else it has to be there.
+    """Check of the wall between holes and tooth roots over the range of root radii: it passes by
+    the least radius, fails by the largest, and is not known in between. A `solid` wall has a
+    requested or usual least thickness; otherwise a gap is enough.
     """
     size = design.nominal_pair.hole_radius
     reach = design.load.pin_circle_radius + size
@@ -210,7 +210,7 @@ def _within_roots(kind: Kind, design: Design, *, solid: bool) -> Check:
 
 
 def _rim_guide(design: Design) -> float | None:
-    """Least wall to the rim that is usual, m: within involute teeth 1.2 times their height."""
+    """Least usual wall to the rim, m; for involute teeth 1.2 tooth heights."""
     gear = design.gear
     if gear and gear.kind == "involute":
         return RIM * gear.module

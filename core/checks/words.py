@@ -1,5 +1,6 @@
-"""Words of checks in English, by code: what they are about, where their formulas come from, what a
-verdict leaves out. Words of one check stand at its function, or in the sorts of its element.
+"""English words of checks by code: groups, sources of formulas, subjects that a verdict leaves out.
+
+Title and reason of a single check are stated in its own record.
 """
 
 from core.checks.crank_planetary import PARTS
@@ -92,7 +93,7 @@ CHECK_SOURCES = {
     "yanchevskiy_2021": "Yanchevskiy, Niekhoroshykh 2021",
     "yanchevsky_2018": "Yanchevsky et al. 2018, eq. 2",
 }
-"""Where the formulas of checks come from, in English, by code."""
+"""Sources of the formulas of checks, in English, by code."""
 
 NOT_CONSIDERED = {
     **{part.code: part.title for part in PARTS.values()},
@@ -113,5 +114,4 @@ NOT_CONSIDERED = {
     "shaft_strength": "strength of the shaft",
     "slope": "slope of the shaft, of which no limit is asked",
 }
-"""Subjects that a verdict does not consider, in English, by code; of a reducer also its parts that
-are not judged."""
+"""Subjects that a verdict does not consider, in English, by code; they include unjudged parts."""

@@ -1,19 +1,18 @@
-"""All codes that the service says, one for each fact, with one kind and its words in English.
+"""Codes of all messages of the service, one for each fact, with a kind and English words.
 
-Where a refusal, a warning and the reason of a check are the same fact, they have the same code and
-the same words. A code comes with parameters, so that whoever shows it can say it in another
-language and with other names; here it has the core's names and SI units (in warnings, mm). The
-parameters `field` and `other` are names of core parameters. What a check is called and why it is
-made stands at the check (`core.checks`).
+A fact has one code and one text as a refusal, as a warning and as the reason of a check. A code
+comes with parameters, so that clients can state it in other languages and with other names.
+Parameters here have core names and SI units (mm in warnings); `field` and `other` are names of core
+parameters. Titles and reasons of checks are in their records in `core.checks`.
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-code                a code, and what is said under it
-refusals            of one parameter that is wrong, and of what cannot be
-reasons             why a check stands as it does
-given               warnings of what is given, oddly or not at all
-limits              warnings of results that strain a limit
-checks              checks that calculations without checks make
+code                a code and its words
+refusals            wrong parameters, and mechanisms that cannot exist
+reasons             reasons for the status of a check
+given               warnings about unusual or missing inputs
+limits              warnings about results that strain a limit
+checks              checks made by calculations that have no verdict
 """
 
 from core.codes.checks import CHECKS
@@ -33,15 +32,15 @@ CODES: dict[str, Code] = {
     **OF_RESULTS,
     **CHECKS,
 }
-"""Every code, but for checks that are said by their design alone."""
+"""All codes, without those of checks that appear in verdicts of designs only."""
 
 WARNINGS = {code: each for code, each in CODES.items() if each.title}
-"""Of these, what warnings say."""
+"""Codes that warnings use."""
 
 REFUSALS = {
     code: each for code, each in CODES.items() if each.kind != "unknown" and code not in WARNINGS
 }
-"""And what refusals say."""
+"""Codes that refusals use."""
 
 WAS = {
     "errors": {
@@ -72,5 +71,4 @@ WAS = {
         "too_many_pairs": "too_large",
     },
 }
-"""Which code of refusals, of warnings, of checks and of their reasons a code replaces; for one
-release."""
+"""Former code that a code of a refusal, warning, check or reason replaces, for one release."""

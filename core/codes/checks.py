@@ -1,4 +1,4 @@
-"""Checks of which calculations without checks warn, and the one by which they refuse."""
+"""Checks that calculations without a verdict report as warnings, and the one that refuses."""
 
 from core.codes.code import check
 

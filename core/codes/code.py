@@ -1,4 +1,4 @@
-"""A code, and what is said under it."""
+"""Code of a message and its words."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -9,28 +9,18 @@ Kind = Literal["invalid", "impossible", "limit", "unknown", "check"]
 
 @dataclass(frozen=True, slots=True)
 class Code:
-    """What is said under one code, in English.
+    """English words of one code; values in the texts stand in braces."""
 
-    Attributes
-    ----------
-    kind : Kind
-        `invalid`: one parameter is wrong. `impossible`: all are allowed, and yet there is no such
-        mechanism. `limit`: a result strains a limit of validity, or lacks what it is judged by; it
-        is given all the same. `unknown`: why a check stands as it does, where numbers do not say
-        it. `check`: a check of designs, of which calculations that have no checks warn or refuse.
-    text : str
-        Of what is invalid the rest of a sentence that starts with the parameter's name; of what is
-        impossible or unknown a sentence without its full stop. What a text names stands in braces.
-    title, tests, why, mend : str
-        Of a warning its name, what is looked at, why it matters, and what to do about it.
-    """
-
+    # `invalid`: a parameter is wrong. `impossible`: parameters are allowed, but no such mechanism
+    # exists. `limit`: a result strains a limit of validity or has no limit to be judged by, and is
+    # given all the same. `unknown`: reason for the status of a check. `check`: a check of designs
+    # that calculations without a verdict report.
     kind: Kind
-    text: str
-    title: str = ""
-    tests: str = ""
-    why: str = ""
-    mend: str = ""
+    text: str  # a sentence without full stop; if `invalid`, the part after the parameter's name
+    title: str = ""  # name of a warning
+    tests: str = ""  # quantity that a warning looks at
+    why: str = ""  # consequence
+    mend: str = ""  # remedy
 
 
 limit, check = partial(Code, "limit"), partial(Code, "check")

@@ -1,4 +1,4 @@
-"""What warnings say of what is given: oddly, or not at all."""
+"""Warnings about unusual or missing inputs."""
 
 from core.codes.code import limit
 

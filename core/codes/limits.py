@@ -1,4 +1,4 @@
-"""What warnings say where a result strains a limit of its method, or a design one of its own."""
+"""Warnings about results that strain a limit of their method, or designs that strain their own."""
 
 from core.codes.code import limit
 

@@ -1,4 +1,4 @@
-"""What says why a check stands as it does, where numbers do not."""
+"""Reasons for the status of a check that the numbers do not show."""
 
 UNKNOWN = {
     "above_any": "It is above all that the material may bear: by what is known of it, or by the "
@@ -121,4 +121,4 @@ UNKNOWN = {
     "wear_unknown": "No wear coefficient is given",
     "yield_unknown": "No yield strength is known: enter one",
 }
-"""Why a check stands as it does."""
+"""Reasons for the status of a check, by code."""

@@ -1,4 +1,4 @@
-"""What refusals say."""
+"""Refusals of inputs and of mechanisms that cannot exist."""
 
 INVALID = {
     "at_most": "must be at most {field}, {limit:.9g}",
@@ -60,7 +60,7 @@ INVALID = {
     "too_thick": "must be at most twice {field}, {limit:.9g}: thicker, the pin itself would touch "
     "the hole",
 }
-"""What is wrong with one parameter."""
+"""Refusals of one wrong parameter, by code."""
 
 
 IMPOSSIBLE = {
@@ -88,4 +88,4 @@ IMPOSSIBLE = {
     "teeth_interfere": "The teeth run into each other, or touch where they are no involutes",
     "unloaded": "The loads cancel: nothing presses the bearings",
 }
-"""What cannot be."""
+"""Refusals of mechanisms that cannot exist, by code."""

@@ -1,21 +1,21 @@
-"""The design of a crank-planetary reducer and what follows from it.
+"""Design of a crank-planetary reducer and the results that follow from it.
 
-The document is plain data, nested as its JSON is; its results stand beside it, each worked out when
-it is asked for, once, or why it is not known.
+The document is plain data, nested as its JSON is. Each result is calculated once, on first access,
+or raises `NotKnown` with the reason why it is not known.
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 sections            mechanism, load, contact, pin, ..., requirements: each as far as it is given
-ring                its teeth or pins
-document            the design of these, paths in it, and the design with other values
-refusals            refusals of calculations with the section of the field
+ring                teeth or pins of the ring
+document            the design made of these sections, paths in it, copies with other values
+refusals            refusals of calculations that name the field with its section
 real_forces         forces with clearance, deviations and elasticity, in each direction
-output_forces       what the results below take of the forces on the output's pins
-pin_fatigue         what the fatigue of a pin is judged by
-ring_results        what follows about the ring
-losses              what follows about friction and wear of the pins
-crank_results       what follows about bearings and crankshaft
-results             what follows from a design: one property for each result
+output_forces       forces on the output pins as the results below use them
+pin_fatigue         fatigue strength of an output pin or ring pin
+ring_results        results about the ring
+losses              results about friction and wear of the output pins
+crank_results       results about bearings and crankshaft
+results             results of a design, one property each
 curves              results over crank angles
-drawings            satellites and pins of their ring as they are drawn
+drawings            satellites, ring pins and ring as they are drawn
 """

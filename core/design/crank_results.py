@@ -1,6 +1,4 @@
-"""What follows from a design about its crank: bearings of the satellites, reactions and balance of
-the crankshaft, each worked out when it is asked for, once, or why it is not known.
-"""
+"""Results about bearings of the satellites, and reactions and balance of the crankshaft."""
 
 from typing import Any
 
@@ -14,34 +12,24 @@ from core.errors import NotKnown, derived, if_known
 from core.output.room import Deviations
 
 MOST_BEARING_PAIRS = 2000
-"""Most pairs of which the forces on the satellites are integrated over the turn."""
+"""Largest number of pairs whose forces on the satellites are integrated over the turn."""
 
 
 class CrankResults:
-    """What follows from a design about its crank; SI units. What is not known raises `NotKnown`.
-
-    Parameters
-    ----------
-    output : OutputForces
-        The design and the forces on the pins of its output.
-    ring : RingResults
-        What follows about its ring.
-    """
+    """Results of a design about its crank in SI units."""
 
     def __init__(self, output: OutputForces, ring: RingResults) -> None:
         self.design, self.output, self.ring = output.design, output, ring
 
     @property
     def uneven_growth(self) -> bool:
-        """Whether loads of bearings do not grow with the torque: of forces that are solved, and
-        with centrifugal ones beside them.
-        """
+        """True if bearing loads are not proportional to the torque, as for solved forces."""
         return self.output.solved or self.centrifugal > 0
 
     @derived
     def bearings(self) -> SatelliteBearings:
-        """Load and life of the satellites' bearings under the torque, their static safety under the
-        peak torque, of at most `MOST_BEARING_PAIRS`. Without a speed there is no life.
+        """Load and life of the satellite bearings under the working torque, static safety under the
+        peak torque, for at most `MOST_BEARING_PAIRS` pairs. Without a speed there is no life.
         """
         bearing = self.design.bearing
         if not bearing:
@@ -68,14 +56,12 @@ class CrankResults:
 
     @derived
     def shaft(self) -> Crankshaft:
-        """Reactions and balance of the crankshaft under the torque, of at most
-        `MOST_BEARING_PAIRS`.
-        """
+        """Reactions and balance of the crankshaft, for at most `MOST_BEARING_PAIRS` pairs."""
         return self._shaft()
 
     @derived
     def still_shaft(self) -> Crankshaft:
-        """The same without centrifugal forces."""
+        """Reactions of the crankshaft without centrifugal forces of the satellites."""
         return self._shaft(satellite_mass=None)
 
     def _shaft(self, **other: Any) -> Crankshaft:
@@ -99,7 +85,7 @@ class CrankResults:
 
     @property
     def _on_shaft(self) -> dict[str, Any]:
-        """Places and masses of the crankshaft, as arguments."""
+        """Places and masses on the crankshaft, as arguments."""
         own = self.design.crankshaft
         return {
             "satellite_positions": own.satellite_positions,
@@ -111,7 +97,7 @@ class CrankResults:
 
     @derived
     def balance(self) -> Balance:
-        """Balance of the crankshaft at its speed, whatever the forces are."""
+        """Balance of the crankshaft at its speed, which needs no forces."""
         design, made = self.design, self.design.deviations or Deviations()
         _ = design.satellite_mass
         if any((*made.eccentricity, *made.crank_phase)):
@@ -130,12 +116,10 @@ class CrankResults:
 
     @property
     def centrifugal(self) -> float:
-        """Centrifugal force of a satellite, N, which relieves its bearing; 0 where mass or speed is
-        not known.
-        """
+        """Centrifugal force of a satellite, N, which relieves its bearing; 0 if not known."""
         return if_known(self._pull) or 0.0
 
     def _pull(self) -> float:
-        """That force, as far as it is known."""
+        """Centrifugal force of a satellite, N; `NotKnown` if an input is not given."""
         design = self.design
         return design.satellite_mass * design.known_eccentricity * design.known_speed**2

@@ -15,25 +15,11 @@ from core.output.losses import LossCurves, PinLosses, loss_curves
 from core.output.sampled_turn import WAYS
 
 MISSED_OF_PEAK = 0.01
-"""Part of a peak that samples of a curve may miss."""
+"""Relative amount of a peak that samples of a curve may miss."""
 
 
 def design_losses(*, results: Results, losses: PinLosses, crank_angle: FloatArray) -> LossCurves:
-    """Loss and efficiency at crank angles.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design.
-    losses : PinLosses
-        Its losses.
-    crank_angle : array, shape (n,)
-        Crank angles, rad.
-
-    Returns
-    -------
-    LossCurves
-    """
+    """Loss and efficiency of a design with its pin losses, at crank angles in rad."""
     design = results.design
     if not results.solved:
         return loss_curves(
@@ -51,8 +37,8 @@ def design_losses(*, results: Results, losses: PinLosses, crank_angle: FloatArra
 def _load_curves(
     results: Results, crank_angle: FloatArray, shares: FloatArray
 ) -> list[BearingCurves]:
-    """Load of the satellites' bearings by the mechanism at crank angles in each direction of the
-    torque, and by each row of shares over 1/K, of ideal forces.
+    """Load of the satellite bearings in each direction of the torque; for ideal forces also for
+    each row of `shares`, shape (cases, K): shares of the torque times K.
     """
     design, load = results.design, results.design.load
     eccentricity, rho = design.known_eccentricity, float(results.ring.on_crank.radial_force_ratio)
@@ -83,25 +69,12 @@ def _load_curves(
 
 
 def _of_loads(crank_angle: FloatArray, loads: ComplexArray) -> BearingCurves:
-    """Curves of loads along the crank, and i times those across it, shape (n, K)."""
+    """Bearing curves of complex loads, along the crank plus i times across it, shape (n, K)."""
     return BearingCurves(crank_angle, loads.imag, loads.real, np.abs(loads))
 
 
 def design_bearings(*, results: Results, crank_angle: FloatArray) -> BearingCurves:
-    """Load of the satellites' bearings at crank angles: of each as its result judges it, in the
-    worst direction.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design.
-    crank_angle : array, shape (n,)
-        Crank angles, rad.
-
-    Returns
-    -------
-    BearingCurves
-    """
+    """Load of the satellite bearings in the worst direction, at crank angles in rad."""
     factor, relief = np.array([[results.design.disc_factor]]), results.crank.centrifugal
     cases = [
         _of_loads(crank_angle, each.along - relief + 1j * each.across)
@@ -116,19 +89,7 @@ def design_bearings(*, results: Results, crank_angle: FloatArray) -> BearingCurv
 
 
 def design_reactions(*, results: Results, crank_angle: FloatArray) -> ReactionCurves:
-    """Reactions of the crankshaft's bearings to the same, each in its worst case.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design.
-    crank_angle : array, shape (n,)
-        Crank angles, rad.
-
-    Returns
-    -------
-    ReactionCurves
-    """
+    """Reactions of the crankshaft bearings, each in its worst case, at crank angles in rad."""
     design, shaft, load = results.design, results.design.crankshaft, results.design.load
     cranks = design.built.crank_angles
     if results.solved:
@@ -153,8 +114,8 @@ def design_reactions(*, results: Results, crank_angle: FloatArray) -> ReactionCu
 
 
 def _worst(sizes: list[FloatArray]) -> IntArray:
-    """The case in which each column is largest; the first of those that differ by less than
-    samples of a curve may miss of its peak.
+    """Index of the case with the largest peak, for each column; the first of cases whose peaks
+    differ by less than the samples of a curve may miss.
     """
     peaks = np.max(sizes, axis=1)
     worst: IntArray = np.argmax(peaks >= (1 - MISSED_OF_PEAK) * peaks.max(axis=0), axis=0)

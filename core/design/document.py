@@ -1,5 +1,5 @@
-"""The design document of a crank-planetary reducer in SI units, nested as its JSON is: a path in it
-is the JSON pointer less the unit (`contact.pin_radius`).
+"""Design document of a crank-planetary reducer in SI units, nested as its JSON is: a path in it is
+the JSON pointer without the unit (`contact.pin_radius`).
 """
 
 import math
@@ -46,26 +46,20 @@ from core.precision import AS_TYPED, SAME
 from core.ring.sharing import RingDeviations
 
 DRAWN = 1e-3
-"""Part of a distance that is lost where it is rounded on a drawing."""
+"""Relative amount of a distance that may be lost by rounding on a drawing."""
 
 WALL_GUIDE = 0.03
-"""Least wall between holes over the diameter of the ring's pin circle (Wang 2016, 32, 33)."""
+"""Least usual wall between holes over the diameter of the ring pin circle (Wang 2016, 32, 33)."""
 
 RINGLESS = ("teeth", "satellite_bearing", "crank_bearings")
-"""Parts that a coupling has none of."""
+"""Parts of a reducer that a coupling does not have."""
 
 SHARPEST = 0.2
-"""Least usual radius of a hob's tip, in modules."""
+"""Least usual tip radius of a hob, in modules."""
 
 
 class NotGiven:
-    """A section that is not given: it is false, and what is read of it is not known.
-
-    Parameters
-    ----------
-    section : str
-        Its path.
-    """
+    """Placeholder of a section that is not given: false; reading an attribute raises `NotKnown`."""
 
     def __init__(self, section: str) -> None:
         self.section = section
@@ -80,34 +74,13 @@ class NotGiven:
 
 
 def not_given(section: str) -> Any:
-    """Default of a section that need not be given.
-
-    Parameters
-    ----------
-    section : str
-        Its path.
-
-    Returns
-    -------
-    NotGiven
-    """
+    """Default value of a section, given by its path, that may be left out: a `NotGiven`."""
     return NotGiven(section)
 
 
 @lru_cache(maxsize=1024)
 def mechanism_of(given: MechanismSection) -> Mechanism:
-    """The mechanism of pins and cranks.
-
-    Parameters
-    ----------
-    given : MechanismSection
-        Its section of a design.
-
-    Returns
-    -------
-    Mechanism
-        The same one for the same numbers.
-    """
+    """Mechanism of pins and cranks of a section; equal sections share one cached object."""
     if given.crank_angles:
         return Mechanism(
             pins=given.pins,
@@ -126,41 +99,33 @@ def mechanism_of(given: MechanismSection) -> Mechanism:
 
 @dataclass(frozen=True, kw_only=True)
 class Design:
-    """A crank-planetary reducer, as far as it is given. A section that is not given is false; what
-    reads it raises `NotKnown`.
+    """Crank-planetary reducer, as far as it is given.
 
-    Attributes
-    ----------
-    contact_law : ContactLaw or None
-        How a pair gives; by Hertz where that is not stated.
-    deviations : Deviations or None
-        Of this piece, where they are stated.
-    crank_support, satellite_coupling : SatelliteSupport
-        What the satellites give, where that is stated, on their cranks and in their mesh. Or
-        that both meshes are in series.
+    A section that is not given is false, and reading from it raises `NotKnown`.
 
     Raises
     ------
     InvalidInput
-        If the peak torque is below the working one, a distribution factor is below 1 or gives a
-        satellite more than the torque, satellites reach into each other, their places on pins and
-        crankshaft differ, a pin is thicker than what touches the hole, rollers do not belong to
-        pins and holes, or what the pins of a ring have does not fit them.
+        If sections contradict each other: the peak torque is below the working torque, the
+        load-sharing factor is below 1 or gives a satellite more than the whole torque, satellites
+        overlap or lie differently on pins and crankshaft, a pin is thicker than the surface that
+        touches the hole, or rollers or ring pins do not fit.
     """
 
     mechanism: MechanismSection  # pins, satellites, cranks, ratio
     load: Load = not_given("load")
     contact: Contact = not_given("contact")
-    contact_law: ContactLaw | None = None
-    deviations: Deviations | None = None
-    crank_support: SatelliteSupport = RIGID_SUPPORT
+    contact_law: ContactLaw | None = None  # elastic law of a pair; None: by Hertz
+    deviations: Deviations | None = None  # measured deviations of this piece; None: none stated
+    crank_support: SatelliteSupport = RIGID_SUPPORT  # elasticity between satellites and cranks
+    # Elasticity between satellites and ring, or `RingInSeries` to solve both meshes in series.
     satellite_coupling: SatelliteSupport = RIGID_SUPPORT
-    pin: DesignPin = not_given("pin")  # how it is held, bends and breaks
-    fatigue: FatigueBasis = not_given("fatigue")  # what that of the pins is judged by
+    pin: DesignPin = not_given("pin")  # support, bending and strength
+    fatigue: FatigueBasis = not_given("fatigue")  # basis of the fatigue strength of the pins
     friction: Friction = not_given("friction")
     rollers: Rollers = not_given("rollers")  # rolling bearings on the pins
     gear: Ring = not_given("gear")  # teeth or pins of the ring
-    bearing: RollingBearing = not_given("bearing")  # of a satellite on its crank
+    bearing: RollingBearing = not_given("bearing")  # satellite bearing on the crank
     crankshaft: Shaft = not_given("crankshaft")  # places of satellites and bearings
     satellite_body: SatelliteBody = not_given("satellite_body")
     temperatures: Temperatures = not_given("temperatures")
@@ -179,8 +144,8 @@ class Design:
             each.check_sizes(f"crankshaft.bearings[{index}]")
 
     def _check_places(self) -> None:
-        """Satellites do not reach into each other, and are as far apart on the pins as on the
-        crankshaft, whose axis may point the other way.
+        """Refuse satellites that overlap, or whose distances on pins and crankshaft differ; the
+        axis of the crankshaft may point the other way.
         """
         on_pins = self.pin.satellite_positions if self.pin else ()
         on_shaft = self.crankshaft.satellite_positions if self.crankshaft else ()
@@ -201,7 +166,7 @@ class Design:
                 raise InvalidInput(name, on_shaft[index], "other_pitch", limit=abs(there))
 
     def _check_thickness(self) -> None:
-        """No pin is thicker than what touches the hole, and no bore nearly as wide as its pin."""
+        """Refuse a pin thicker than its sleeve, and a bore nearly as wide as its pin."""
         bore, widest = (self.pin.bore_diameter, self.pin.diameter) if self.pin else (0.0, 0.0)
         if bore > MOST_BORE * widest:
             limit = MOST_BORE * widest
@@ -214,7 +179,7 @@ class Design:
             raise InvalidInput("pin.diameter", diameter, "too_thick", **most)
 
     def _check_ring_pins(self) -> None:
-        """Each satellite has its place on the pins of the ring, whose sleeves are wider."""
+        """Refuse ring pins whose places, width, number or sleeve bore do not fit the satellites."""
         ring = self.gear
         if not isinstance(ring, CycloidRing):
             return
@@ -236,7 +201,7 @@ class Design:
                 raise InvalidInput("gear.sleeve_bore_radius", bore, "smaller_than", **than)
 
     def _check_rollers(self) -> None:
-        """Rollers fit onto their pins and are what touches the holes; no sleeve is beside them."""
+        """Refuse rollers that do not fit pins and holes, and a sleeve beside rollers."""
         rollers = self.rollers
         if not rollers:
             return
@@ -248,9 +213,7 @@ class Design:
             raise InvalidInput("friction.sleeve", True, "only_one", field="rollers")
 
     def _check_distribution(self) -> None:
-        """No satellite carries more than the whole torque, and the one that carries most no less
-        than its part.
-        """
+        """Refuse a load-sharing factor below 1, or above the whole torque for one satellite."""
         name = "contact.distribution_factor"
         factor, most = (self.contact.distribution_factor if self.contact else 1.0), math.inf
         if self.distribution_of == "discs":
@@ -268,7 +231,7 @@ class Design:
 
     @property
     def built(self) -> Mechanism:
-        """The mechanism of pins and cranks."""
+        """Mechanism of pins and cranks."""
         return mechanism_of(self.mechanism)
 
     @property
@@ -278,14 +241,13 @@ class Design:
 
     @property
     def support(self) -> SatelliteSupport:
-        """What the satellites give by themselves."""
+        """Elasticity of the satellites on their cranks and in their mesh."""
         return Supports(self.crank_support, self.satellite_coupling)
 
     @property
     def in_series(self) -> bool:
-        """Whether both meshes are in series: that of cycloid discs with their ring, whose
-        modification is known, and that with the pins, whose clearance is; of satellites of
-        which nothing else is stated but their bearings.
+        """True if both meshes are solved in series, which needs cycloid discs of known
+        modification, a known clearance of pins and holes, and no stated load-sharing factor.
         """
         gear, contact = self.gear, self.contact
         if (
@@ -300,24 +262,22 @@ class Design:
 
     @property
     def bolted(self) -> bool:
-        """Whether the pins are bolts through spacers."""
+        """True if the pins are bolts through spacers."""
         return bool(self.pin) and self.pin.bolt is not None
 
     @property
     def tied(self) -> bool:
-        """Whether a tie ring joins the pins."""
+        """True if a tie ring joins the pins."""
         return bool(self.pin) and self.pin.support == "tie_ring"
 
     @property
     def touching(self) -> bool:
-        """Whether pins and holes are given."""
+        """True if pins and holes are given."""
         return bool(self.contact) and self.contact.pin_radius is not None
 
     @property
     def as_made(self) -> bool:
-        """Whether clearance, deviations, a law of contact or satellites that give are stated, or
-        both meshes are in series.
-        """
+        """True if clearance, deviations, contact law, elasticity or meshes in series are stated."""
         clearance = self.play
         if self.touching and not self.clearance_unknown:
             clearance += self.roller_play
@@ -326,7 +286,7 @@ class Design:
 
     @property
     def output_deviations(self) -> Deviations | None:
-        """Deviations of pins, holes and cranks; None where none are stated but those of a ring."""
+        """Deviations of pins, holes and cranks; None if at most those of the ring are stated."""
         made = self.deviations
         if made is None or (made.of_ring and made.of_output == Deviations()):
             return None
@@ -334,7 +294,7 @@ class Design:
 
     @property
     def ring_deviations(self) -> RingDeviations:
-        """Deviations of the pins of the ring, of cranks and discs."""
+        """Deviations of ring pins, cranks and discs."""
         made = self.deviations or Deviations()
         return RingDeviations(
             pin_radial=made.ring_pin_radial,
@@ -347,7 +307,7 @@ class Design:
 
     @property
     def cycloid(self) -> CycloidRing:
-        """The ring, of pins."""
+        """Ring with pins; another ring raises `NotKnown`."""
         ring = self.gear
         if ring.kind != "cycloid":
             raise NotKnown("no_ring_pins")
@@ -355,7 +315,7 @@ class Design:
 
     @property
     def involute(self) -> InvoluteRing:
-        """The ring, of involute teeth."""
+        """Ring with involute teeth; another ring raises `NotKnown`."""
         ring = self.gear
         if ring.kind != "involute":
             raise NotKnown("no_involute")
@@ -363,7 +323,7 @@ class Design:
 
     @property
     def lobes(self) -> int:
-        """Lobes of a cycloid disc, which a ratio that is typed need not have."""
+        """Number of lobes of a cycloid disc; `NotKnown` if a typed ratio gives no whole number."""
         ratio = self.mechanism.ratio
         lobes = ratio * (self.gear.teeth_difference or 1)
         if abs(lobes - round(lobes)) > AS_TYPED * lobes:
@@ -372,29 +332,26 @@ class Design:
 
     @property
     def ring_pins(self) -> int:
-        """Pins of a ring: one more than lobes where nobody says how many."""
+        """Number of ring pins: one more than lobes if no difference is given."""
         return self.lobes + (self.gear.teeth_difference or 1)
 
     @property
     def ring_length(self) -> float:
-        """Length of the contact of a disc on a pin of the ring, m: as on the pins of the output,
-        where it is not given.
-        """
+        """Contact length of a disc on a ring pin, m; if not given that on the output pins."""
         of_output = self.contact.contact_length if self.contact else None
         length = self.gear.contact_length or of_output
         return required(length, "size_missing", "gear.contact_length")
 
     @property
     def disc_material(self) -> ElasticMaterial | None:
-        """Material of discs, or of satellites with involute teeth: that of their holes."""
+        """Material of the satellites' teeth; the material of their holes if it is not given."""
         of_holes = self.contact.hole_material if self.contact else None
         return self.gear.of_satellites or of_holes
 
     @cached_property
     def lasting_teeth(self) -> dict[RingBody, ElasticMaterial]:
-        """Materials of the pins or teeth of the ring and of the satellites' teeth, their limits
-        wanted for the loads over the life, as far as they are given: once a turn of the crank
-        against the ring, and against the satellite.
+        """Given materials of ring and satellite teeth, with limits for their loads over the life:
+        one load per turn of the crank against the ring, and against the satellite.
         """
         life = self.life
         loads: dict[RingBody, tuple[ElasticMaterial | None, float]] = {
@@ -407,12 +364,12 @@ class Design:
 
     @property
     def roller_play(self) -> float:
-        """What rollers give to either side on their pins, m: it adds to the clearance."""
+        """Movement of a roller on its pin to either side, m, which adds to the clearance."""
         return self.rollers.play if self.rollers else 0.0
 
     @cached_property
     def nominal_pair(self) -> PairSizes:
-        """Sizes of a pair as wide as its satellite, where there are pins."""
+        """Sizes of a pair of pin and hole with the full width of the satellite."""
         contact, lacks = self.contact, ("section_missing", "contact")
         return PairSizes(
             contact_length=required(contact.contact_length, *lacks),
@@ -422,45 +379,41 @@ class Design:
 
     @property
     def pair(self) -> PairSizes:
-        """Sizes of a pair that touches: no longer than its rollers are."""
+        """Sizes of a pair that touches, whose length is at most that of the rollers."""
         pair = self.nominal_pair
         length = self.rollers.length if self.rollers else math.inf
         return pair._replace(contact_length=min(pair.contact_length, length))
 
     @property
     def rubs(self) -> bool:
-        """Whether friction of the output is known: given, or that of rollers."""
+        """True if friction of the output is known, as given or as that of rollers."""
         return bool(self.friction) or bool(self.rollers)
 
     @property
     def output_friction(self) -> Friction:
-        """Friction of the output: of rollers, of sleeves, or of pins in their holes."""
+        """Friction of the output: in the rollers, in sleeves, or of pins in their holes."""
         return self.rollers.friction(self.friction or None) if self.rollers else self.friction
 
     @property
     def clearance_unknown(self) -> bool:
-        """Whether pins and holes are given, and nothing is known of their clearance: none is
-        stated, as of perfect parts, and the sizes leave none.
-        """
+        """True if pins and holes are given, without a stated clearance or one by their sizes."""
         return self.touching and not (self.contact.clearance_stated or self.play)
 
     @derived
     def clearance(self) -> float:
-        """Hole radius less pin radius and eccentricity, m: interference below 0."""
+        """Radial clearance, m: hole radius less pin radius and eccentricity; overlap below 0."""
         pin = required(self.contact.pin_radius, "section_missing", "contact")
         hole = required(self.contact.hole_radius, "section_missing", "contact")
         return felt(clearance=hole - (pin + self.known_eccentricity), hole_radius=hole)
 
     @property
     def play(self) -> float:
-        """The same where it is known, else 0, m."""
+        """Radial clearance, m, or 0 if it is not known."""
         return if_known(lambda: self.clearance) or 0.0
 
     @property
     def scope(self) -> tuple[str, ...]:
-        """Parts that are judged: those that are asked for, without teeth where there are none, and
-        of a coupling without what is about a ring and cranks.
-        """
+        """Requested parts of the reducer, without teeth or cranks that the design does not have."""
         none: tuple[str, ...] = ()
         if self.members.output == "coupling":
             none = RINGLESS
@@ -470,39 +423,37 @@ class Design:
 
     @property
     def bends(self) -> bool:
-        """Whether pins bend where the satellites press them, and no sharing of theirs is stated."""
+        """True if pins bend under the satellites and no load-sharing factor is stated."""
         places = self.pin.satellite_positions if self.pin and self.touching else None
         return bool(places) and self.contact.distribution_factor == 1
 
     @property
     def distribution_of(self) -> SharedBy:
-        """Whose uneven share the distribution factor is of."""
+        """Origin of the uneven share that the load-sharing factor states."""
         stated = self.contact.distribution_of if self.contact else None
         return stated or ("discs" if self.mechanism.satellites > 1 else "pins")
 
     @property
     def distribution_factor(self) -> float:
-        """Factor on the largest force by an uneven share that is stated: 1 beside forces that are
-        solved, which have their own.
-        """
+        """Load-sharing factor on the largest force; 1 for solved forces, which include sharing."""
         return 1.0 if self.as_made or not self.contact else self.contact.distribution_factor
 
     @property
     def disc_factor(self) -> float:
-        """The same on all forces of one satellite, whichever: it carries so many times its part of
-        the torque, and the others what is left, evenly.
+        """Factor on all forces of one satellite, any of them: it carries this multiple of its even
+        share of the torque, and the other satellites carry the rest evenly.
         """
         return self.distribution_factor if self.distribution_of == "discs" else 1.0
 
     @property
     def ring_factor(self) -> float:
-        """That factor as it is stated of satellites, on the torque for the teeth."""
+        """Stated load-sharing factor of satellites on the torque of the teeth; 1 without one."""
         stated = self.contact and self.distribution_of == "discs"
         return self.contact.distribution_factor if stated else 1.0
 
     @property
     def load_factor(self) -> float:
-        """Factor on the torque for stresses and pressures."""
+        """Application factor K_A or dynamic factor of the contact, on the torque for stresses."""
         factor = self.load.application_factor if self.load else None
         if factor is None:
             factor = self.contact.dynamic_factor if self.contact else 1.0
@@ -510,25 +461,25 @@ class Design:
 
     @property
     def rotor_mass(self) -> float:
-        """Mass of all that turns with the crankshaft, as far as it is known, kg."""
+        """Mass of all that turns with the crankshaft, kg; that of the satellites if not given."""
         mass = self.crankshaft.rotor_mass
         return self.mechanism.satellites * self.satellite_mass if mass is None else mass
 
     @property
     def satellite_mass(self) -> float:
-        """Mass of a satellite with its bearing, which has to be given, kg."""
+        """Mass of a satellite with its bearing, kg; `NotKnown` if it is not given."""
         mass = self.crankshaft.satellite_mass if self.crankshaft else None
         return required(mass, "mass_unknown", "crankshaft.satellite_mass")
 
     @property
     def known_eccentricity(self) -> float:
-        """The eccentricity, which has to be given, m."""
+        """Eccentricity, m; `NotKnown` if it is not given."""
         given = self.contact.eccentricity if self.contact else None
         return required(given, "eccentricity_assumed", "contact.eccentricity")
 
     @property
     def known_clearance(self) -> float:
-        """The clearance, which needs the eccentricity, m."""
+        """Radial clearance, m; `NotKnown` if it is not stated or the eccentricity is not given."""
         clearance = self.clearance
         if self.clearance_unknown:
             raise NotKnown("clearance_unknown", "contact.hole_clearance")
@@ -536,7 +487,7 @@ class Design:
 
     @property
     def known_speed(self) -> float:
-        """The speed of the crank, which has to be given, rad/s."""
+        """Speed of the crank, rad/s; `NotKnown` if it is not given."""
         speed = self.load.input_speed if self.load else None
         return required(speed, "speed_missing", "load.input_speed")
 
@@ -547,54 +498,31 @@ class Design:
 
     @property
     def pin_torque(self) -> float:
-        """Torque on the pins, N*m: of which forces, and all that follows from them, are."""
+        """Torque on the pins, N*m, from which the forces are calculated."""
         return self.load.output_torque * self.members.pin_share
 
     @property
     def speeds(self) -> MemberSpeeds | None:
-        """Speeds of the members; None where they are not given."""
+        """Speeds of the members; None if they are not given."""
         return if_known(lambda: self.known_speeds)
 
     @property
     def known_speeds(self) -> MemberSpeeds:
-        """These, which have to be given."""
+        """Speeds of the members; `NotKnown` if they are not given."""
         crank, load = self.known_speed, self.load
         return self.members.speeds(crank=crank, ring=load.ring_speed, carrier=load.carrier_speed)
 
     @property
     def turning_speed(self) -> float | None:
-        """Speed of the crank against the ring, rad/s: of load cycles; None where it is not given,
-        or they turn as one.
-        """
+        """Speed of the crank against the ring, rad/s, for load cycles; None if not given or 0."""
         return (self.speeds and self.speeds.turning) or None
 
     def life_of(self, part: FatigueBasis | Friction) -> float:
-        """Time in which a part tires or wears: its own, or the required life.
-
-        Parameters
-        ----------
-        part : FatigueBasis or Friction
-            The section.
-
-        Returns
-        -------
-        float
-            s; infinite where none is asked.
-        """
+        """Time of fatigue or wear of a part, s: its own or the required one; may be infinite."""
         return self.life if part.life is None else part.life
 
     def too_many(self, most: int) -> NotKnown:
-        """What is not calculated of so many pairs.
-
-        Parameters
-        ----------
-        most : int
-            Most pairs of which it is.
-
-        Returns
-        -------
-        NotKnown
-        """
+        """`NotKnown` to raise if a design has more pairs than `most`."""
         given = self.mechanism
         limit = {"limit": most // given.satellites, "satellites": given.satellites}
         code = "too_many_pairs"
@@ -603,23 +531,13 @@ class Design:
 
     @cached_property
     def driven(self) -> Mechanism:
-        """The ideal mechanism whose pairs drive where those of this one carry: in reverse they do
-        where they would brake.
-        """
+        """Ideal mechanism whose driving pairs are those that carry under the design's torque."""
         reverse = self.load and self.load.torque_direction == "reverse"
         return self.driven_by(-1.0 if reverse else 1.0)
 
     def driven_by(self, way: float) -> Mechanism:
-        """The same by the sign of the torque.
-
-        Parameters
-        ----------
-        way : float
-            1 driving, -1 in reverse.
-
-        Returns
-        -------
-        Mechanism
+        """Ideal mechanism whose driving pairs carry at `way` = 1 (driving) or -1 (reverse), where
+        the wave angle is shifted by pi, as pairs carry then which would brake otherwise.
         """
         built = self.built
         if way > 0:
@@ -627,26 +545,22 @@ class Design:
         return replace(built, initial_crank_angle=built.initial_crank_angle + math.pi)
 
     def turns_over(self, life: float) -> float:
-        """How often a pin of the ring is loaded over a life, s, once a turn of the crank against
-        the ring; infinite without a speed, or without an end.
-        """
+        """Number of loads on a ring pin over a life, s, one per turn of the crank, or infinity."""
         return self._loads(life, 2 * math.pi)
 
     def loads_over(self, life: float) -> float:
-        """How often a place of pin or hole is loaded over a life, s, once a turn of the satellite
-        against its crank; infinite without a speed, or without an end.
+        """Number of loads on a place of pin or hole over a life, s: one per turn of the satellite
+        against its crank; infinity without a speed or an end of the life.
         """
         return self._loads(life, self.built.crank_angle_per_wave)
 
     def _loads(self, life: float, angle: float) -> float:
-        """How often over a life, s, the crank turns by an angle, rad, against the ring."""
+        """Number of turns by an angle, rad, of the crank against the ring over a life, s."""
         return (self.turning_speed or math.inf) * life / angle
 
     @cached_property
     def lasting(self) -> dict[Body, ElasticMaterial]:
-        """Materials of pin and hole, their limits wanted for the loads over the life, as far as
-        they are given.
-        """
+        """Given materials of pin and hole, with limits for the number of loads over the life."""
         loads = self.loads_over(self.life)
         given: dict[Body, ElasticMaterial | None] = {
             "pin": self.contact.pin_material,
@@ -655,28 +569,12 @@ class Design:
         return {body: each.lasting(loads) for body, each in given.items() if each is not None}
 
     def known_material(self, body: Body) -> ElasticMaterial:
-        """That of pin or hole, which has to be given.
-
-        Parameters
-        ----------
-        body : Body
-            Pin or hole.
-
-        Returns
-        -------
-        ElasticMaterial
-            Its limit is that for the loads over the life.
-
-        Raises
-        ------
-        NotKnown
-            If it is not.
-        """
+        """Material of pin or hole, with its limit for the life's loads; `NotKnown` if not given."""
         return required(self.lasting.get(body), "section_missing", f"contact.{body}_material")
 
     @property
     def life(self) -> float:
-        """Required life, or a usual one, s."""
+        """Required life, s; a usual one if it is not given."""
         own, contact = self.requirements.life, self.contact
         bodies = [contact.pin_material, contact.hole_material] if contact else []
         bodies += [self.disc_material] if self.gear else []
@@ -685,7 +583,7 @@ class Design:
 
     @property
     def usual(self) -> dict[str, float]:
-        """Usual values of fields that are not given and have no default, by path, in SI units."""
+        """Usual values, by path in SI units, of fields that are not given and have no default."""
         found, fatigue = {"requirements.life": self.life}, self.fatigue
         if fatigue and fatigue.reliability_factor is None and fatigue.endurance_limit is None:
             found["fatigue.reliability_percent"] = USUAL_RELIABILITY
@@ -696,7 +594,7 @@ class Design:
 
     @property
     def mild(self) -> dict[str, float]:
-        """The mild end of what is assumed as it is not given, by its path, in SI units."""
+        """Mild ends of the ranges of assumed values, by path in SI units."""
         found = {"requirements.life": self.life / 5} if self.requirements.life is None else {}
         if self.gear and self.gear.kind == "involute" and self.gear.rack_tip_radius is None:
             found["gear.rack_tip_radius"] = SHARPEST
@@ -704,37 +602,27 @@ class Design:
 
     @cached_property
     def plastics(self) -> dict[Body, Plastic]:
-        """Which of pin and hole are plastic, and what is known of that."""
+        """Plastic data of those of pin and hole that are plastic."""
         if not self.touching:
             return {}
         return {body: each.plastic for body, each in self.lasting.items() if each.plastic}
 
     @cached_property
     def plastic_teeth(self) -> dict[RingBody, ElasticMaterial]:
-        """Which of the ring's pins or teeth and of the satellites' teeth are of plastic."""
+        """Materials of ring and satellite teeth that are plastic."""
         teeth = self.lasting_teeth if self.gear else {}
         return {body: each for body, each in teeth.items() if each.plastic}
 
     def teeth_path(self, body: RingBody) -> str:
-        """Path of their material.
-
-        Parameters
-        ----------
-        body : {"pin", "disc"}
-            Which.
-
-        Returns
-        -------
-        str
-        """
+        """Path of the material of ring pins or teeth ("pin") or of satellite teeth ("disc")."""
         if body == "disc":
             return "contact.hole_material"
         return "gear.ring_material" if self.gear.kind == "involute" else "gear.pin_material"
 
     @property
     def hole_friction(self) -> Spread:
-        """Friction coefficient of what slides in the holes: 0 where sleeves or rollers roll there;
-        where none is given that which such plastics, or metals in oil, have.
+        """Range of the friction coefficient in the holes: 0 if sleeves or rollers roll there; if
+        none is given, the usual one of the plastics, or of metals in oil.
         """
         if self.rollers or (self.friction.sleeve if self.friction else self.sleeved):
             return Spread.of(0.0)
@@ -746,7 +634,7 @@ class Design:
 
     @property
     def teeth_friction(self) -> Spread:
-        """Friction coefficient of plastic teeth likewise: on sleeves or rolling elements none."""
+        """Range of the friction coefficient of plastic teeth: given, 0 if flanks roll, or usual."""
         friction = self.gear.friction_coefficient
         if friction is None and self.gear.rolls:
             friction = 0.0
@@ -757,9 +645,7 @@ class Design:
 
     @property
     def usual_in_holes(self) -> dict[str, Spread]:
-        """Values by which plastic pins and holes are judged and that are not given, by their paths,
-        as far as sources have them.
-        """
+        """Usual values, by path, that judge plastic pins and holes and are not given."""
         found = {
             path: spread
             for body in self.plastics
@@ -771,13 +657,13 @@ class Design:
 
     @property
     def usual_values(self) -> dict[str, Spread]:
-        """All such values of plastics, of pins that bend too."""
+        """Usual values of all plastics, by path, including the output pins that bend."""
         pin = self.pin.material.usual(self.pin.material_path) if self.pin else {}
         return pin | self.usual_in_holes | (self.usual_in_teeth if self.plastic_teeth else {})
 
     @property
     def usual_in_teeth(self) -> dict[str, Spread]:
-        """Values by which plastic teeth are judged and that are not given, by their paths."""
+        """Usual values, by path, that judge plastic teeth and are not given."""
         found = {
             path: spread
             for body, each in self.plastic_teeth.items()
@@ -791,9 +677,8 @@ class Design:
 
     @cached_property
     def roots(self) -> tuple[float, float]:
-        """Least and largest radius of the roots of the satellite's teeth, m: the one that is given,
-        or those that its ring leaves; within its outer radius. 0 and infinite where nothing is
-        known.
+        """Least and largest root radius of the satellite's teeth, m: the given one, or the range
+        that the ring allows, within the outer radius; 0 and infinite if nothing is known.
         """
         body = self.satellite_body or SatelliteBody()
         low, high = 0.0, math.inf
@@ -816,9 +701,7 @@ class Design:
 
     @property
     def disc_distance(self) -> float:
-        """Distance of a hole's axis from the nearest edge of the disc, its bore or the roots of its
-        teeth, over the hole's radius; infinite where neither is known.
-        """
+        """Distance of a hole's axis to bore or tooth roots over the hole's radius, or infinity."""
         low, _ = self.roots
         circle, hole = self.load.pin_circle_radius, self.nominal_pair.hole_radius
         known = [low - circle] if low else []
@@ -828,9 +711,8 @@ class Design:
 
     @property
     def wall_guide(self) -> float | None:
-        """Least wall that holes usually have to each other and to the bore, m: 0.03 of the diameter
-        of the ring's pin circle, or of the least that the roots of the satellite sweep; None where
-        neither is known.
+        """Least usual wall of holes to each other and to the bore, m: 0.03 of the diameter of the
+        ring pin circle, or of the circle that the roots sweep; None if neither is known.
         """
         if isinstance(self.gear, CycloidRing):
             circle = self.gear.ring_pin_circle_radius
@@ -841,7 +723,7 @@ class Design:
 
     @property
     def pin_length(self) -> float:
-        """Length of the contact along the pin, m."""
+        """Contact length along the pin, m."""
         length = self.pin.contact_length if self.pin else None
         if length is None:
             length = required(self.contact.contact_length, "section_missing", "contact")
@@ -849,7 +731,7 @@ class Design:
 
     @property
     def sleeved(self) -> bool:
-        """Whether what touches the hole is not the pin, but a sleeve of it."""
+        """True if a sleeve on the pin touches the hole."""
         if self.rollers or not (self.pin and self.touching):
             return False
         touching = 2 * self.nominal_pair.pin_radius
@@ -857,19 +739,19 @@ class Design:
 
     @property
     def static_torque(self) -> float:
-        """Torque of static strength on the pins, N*m."""
+        """Torque on the pins for static strength, N*m."""
         peak = self.load.peak_torque
         share = self.members.pin_share
         return self.pin_torque * self.load_factor if peak is None else peak * share
 
     @property
     def static_share(self) -> float:
-        """That torque over the one with the factor."""
+        """Torque for static strength over the working torque times its factor."""
         return self.static_torque / (self.pin_torque * self.load_factor)
 
 
 def _of_plastics(plastics: Iterable[Plastic], path: str) -> Spread:
-    """Friction coefficient that plastics have which touch, the larger one."""
+    """Range of the friction coefficient between plastics: the larger value of the two."""
     spreads = [required(each.friction, "friction_unknown", path) for each in plastics]
     return Spread(*(max(values) for values in zip(*spreads, strict=True)))
 
@@ -878,18 +760,8 @@ Document = TypeVar("Document")
 
 
 def changed(document: Document, values: Mapping[str, Any]) -> Document:
-    """A document with other values.
-
-    Parameters
-    ----------
-    document : Design, or a section of it
-        The document.
-    values : mapping
-        Other values, by their paths (`contact.pin_radius`); one of sections in a list is of all.
-
-    Returns
-    -------
-    Design or section
+    """Copy of a document with other values, by path; a path into a list of sections sets all of
+    them.
 
     Examples
     --------
@@ -913,20 +785,7 @@ def changed(document: Document, values: Mapping[str, Any]) -> Document:
 
 
 def value_at(document: Any, path: str) -> Any:
-    """A value of a document.
-
-    Parameters
-    ----------
-    document : Design
-        The document.
-    path : str
-        Its path.
-
-    Returns
-    -------
-    object
-        None where it is not given.
-    """
+    """Value of a document at a path; None if it is not given."""
     for name in path.split("."):
         document = getattr(document, name, None) if document else None
     return None if isinstance(document, NotGiven) else document

@@ -1,18 +1,18 @@
-"""Parts of a design as they are drawn: the satellites, the pins of their ring or its teeth.
+"""Parts of a design as they are drawn: satellites, ring pins or ring teeth.
 
-All stand as they do at the crank angle 0, by their nominal sizes, X to the right, Y up through the
-first pin of the output, as `core.output.mechanism` has them. The crank of satellite j points to
-``phi_0 + alpha_j`` then, clockwise from Y, and the first pin of the ring to where a crank of the
-angle 0 does, phi_0. A disc of z lobes has rolled anticlockwise by ``alpha_j/z``:
+All parts are drawn with nominal sizes at crank angle 0, with X to the right and Y up through the
+first output pin, as in `core.output.mechanism`. The crank of satellite j points to ``phi_0 +
+alpha_j``, clockwise from Y. The first ring pin lies at phi_0, where a crank of angle 0 points. A
+disc of z lobes has rolled anticlockwise by ``alpha_j/z``:
 
     C_j(t) = C(t)*exp(i*(alpha_j/z - phi_0)),  O_j = i*e*exp(-i*(phi_0 + alpha_j)),
     P_k = i*R_p*exp(i*(2*pi*k/z_p - phi_0)),   M_n = i*R*exp(2*pi*i*n/N),
 
-with C of `core.ring.profile`, about the disc's centre O_j. About that all holes have their centres
-at M_n: what differs is how the teeth are turned against them, by the assembly angle. Of involute
-teeth a space of the ring stands where the first pin does, and at the crank angle of a satellite one
-of its teeth in the middle of one: it has rolled by ``alpha_j/u``, from a space that is up by half a
-pitch more.
+with C of `core.ring.profile` about the disc's centre O_j. The holes of every disc have their
+centres at M_n about O_j; discs differ in the assembly angle of their teeth against the holes. An
+involute ring has a tooth space at the place of the first pin, and a satellite has a tooth in the
+middle of a space at its crank angle: the satellite has rolled by ``alpha_j/u`` from an upright
+space, turned by half a pitch more.
 """
 
 import math
@@ -34,86 +34,73 @@ from core.ring.tooth_outline import ring_outline, satellite_outline
 
 @dataclass(frozen=True, slots=True)
 class DrawnSatellite:
-    """A satellite with its holes, about its own centre; lengths in m."""
+    """Satellite with its holes about its own centre; lengths in m."""
 
     number: int  # j, from 1
-    centre: tuple[float, float]  # O_j, of the disc about the axis of the reducer
-    turn: float  # of its teeth from where a valley, or a space, is up, anticlockwise, rad
+    centre: tuple[float, float]  # O_j, about the axis of the reducer
+    turn: float  # rotation of the teeth from an upright valley or space, anticlockwise, rad
     outline: FloatArray  # closed polygon of its points, clockwise, shape (n, 2)
-    chord_error: float  # how far the outline is from that at most
+    chord_error: float  # largest distance of the outline from the polygon
     hole_circle_radius: float  # R of the holes' centres
-    hole_centres: FloatArray  # anticlockwise from the one of the first pin, shape (N, 2)
+    hole_centres: FloatArray  # anticlockwise from the hole of the first pin, shape (N, 2)
     hole_radius: float  # r_out
-    bore_radius: float | None  # None where it is not given
+    bore_radius: float | None  # None if not given
 
 
 @dataclass(frozen=True, slots=True)
 class DrawnRingPins:
-    """Pins of a ring about the axis of the reducer; lengths in m."""
+    """Ring pins about the axis of the reducer; lengths in m."""
 
     circle_radius: float  # R_p of their centres
-    centres: FloatArray  # P_k, anticlockwise from the first one, shape (z_p, 2)
+    centres: FloatArray  # P_k, anticlockwise from the first pin, shape (z_p, 2)
     radius: float  # r_p
 
 
 @dataclass(frozen=True, slots=True)
 class DrawnRing:
-    """An involute ring about the axis of the reducer; lengths in m."""
+    """Involute ring about the axis of the reducer; lengths in m."""
 
     teeth: int  # z_r
     outline: FloatArray  # closed polygon of its points, clockwise, shape (n, 2)
-    chord_error: float  # how far the outline is from that at most
-    reference_radius: float  # of its reference circle
-    root_assumed: bool  # whether flanks go on to a root circle that no cutter says
+    chord_error: float  # largest distance of the outline from the polygon
+    reference_radius: float  # radius of the reference circle
+    root_assumed: bool  # True if the root circle is assumed, as no cutter is given
 
 
 @dataclass(frozen=True, slots=True)
 class DrawnTeeth:
-    """Involute satellites and their ring, about the axes of satellites and reducer; lengths in m.
-
-    A pitch reaches from the middle of a space to the next but its end, clockwise: all others are
-    the same.
+    """Involute satellites and their ring, about their own axes; lengths in m. A pitch reaches
+    clockwise from the middle of a space up to the next, without its end point, and repeats.
     """
 
     lobe: FloatArray  # a pitch of a satellite, shape (n, 2)
-    turns: tuple[float, ...]  # of each satellite from where a space is up, anticlockwise, rad
+    turns: tuple[float, ...]  # rotation of each satellite from an upright space, anticlockwise, rad
     ring_lobe: FloatArray  # a pitch of the ring, shape (n, 2)
-    ring_turn: float  # of the ring likewise
+    ring_turn: float  # rotation of the ring from an upright space, anticlockwise, rad
 
 
 @dataclass(frozen=True, slots=True)
 class DrawnMesh:
-    """Discs and the pins of their ring as they are made, about the axes of discs and reducer;
-    lengths in m.
-    """
+    """Discs and ring pins as they are made, about their own axes; lengths in m."""
 
-    # Of one lobe, from a valley to the next but its end, clockwise, shape (n, 2): all others are
-    # the same. None where no outline is known, of flanks that are turned.
+    # One lobe, clockwise from a valley up to the next, without its end point, shape (n, 2). None
+    # for flanks modified by a rotation, whose outline is not known.
     lobe: FloatArray | None
-    turns: tuple[float, ...]  # of the teeth of each disc from where a valley is up, anticlockwise
-    pin_centres: FloatArray  # with their deviations, anticlockwise, shape (z_p, 2)
-    pin_radii: FloatArray  # likewise, shape (z_p,)
+    turns: tuple[float, ...]  # rotation of each disc from an upright valley, anticlockwise, rad
+    pin_centres: FloatArray  # centres with deviations, anticlockwise, shape (z_p, 2)
+    pin_radii: FloatArray  # radii with deviations, shape (z_p,)
 
 
 def drawn_disc(*, design: Design) -> CycloidDisc:
-    """The cycloid disc of a design.
-
-    Parameters
-    ----------
-    design : Design
-        The design, with a ring of pins.
-
-    Returns
-    -------
-    CycloidDisc
+    """Cycloid disc of a design.
 
     Raises
     ------
     NotKnown
-        If a size, the number of lobes, or by what the discs are modified is not known, or lobes are
-        left out.
+        If a size, the number of lobes or the modification is not known, or the difference of teeth
+        is above 1.
     InvalidInput
-        If there is no such disc, or no outline of it is known.
+        If the ring has no pins, the disc cannot exist or its flanks are rotated.
     """
     gear = design.gear
     if gear.kind != "cycloid":
@@ -131,25 +118,16 @@ def drawn_disc(*, design: Design) -> CycloidDisc:
 
 
 def drawn_pair(*, design: Design) -> InvolutePair:
-    """The involute teeth of a design.
-
-    Parameters
-    ----------
-    design : Design
-        The design, with involute teeth.
-
-    Returns
-    -------
-    InvolutePair
+    """Involute teeth of a design.
 
     Raises
     ------
     NotKnown
-        If a size, profile shifts or heights are not known.
+        If a size, a profile shift or a tooth height is not known.
     InvalidInput
-        If there are no such teeth.
+        If no such teeth exist.
     ImpossibleMechanism
-        If nothing is known of such teeth.
+        If the method does not cover such teeth.
     """
     try:
         return Results(design).ring.pair
@@ -164,9 +142,7 @@ def drawn_pair(*, design: Design) -> InvolutePair:
 def _refuse_in_pieces(
     *, roots: float, circle: float, holes: int, radius: float, bore: float
 ) -> None:
-    """Refuse holes that break out of the roots of the teeth, into each other or into the bore, by
-    their radii and that of their circle, m.
-    """
+    """Refuse holes that break into the tooth roots, each other or the bore; radii in m."""
     name, apart = "load.pin_circle_radius", radius / math.sin(math.pi / holes) if holes > 1 else 0.0
     if circle >= roots - radius:
         raise InvalidInput(name, circle, "less_than", limit=roots - radius)
@@ -183,24 +159,18 @@ def drawn_satellites(
 
     Parameters
     ----------
-    design : Design
-        The design, with a ring of pins or involute teeth, pins of the output and their holes.
     numbers : tuple of int
-        Which, from 1.
+        Numbers of the satellites, from 1.
     chord_error : float
-        How far an outline may be from the polygon of its points, m.
-
-    Returns
-    -------
-    tuple of DrawnSatellite
+        Largest distance of an outline from the polygon of its points, m.
 
     Raises
     ------
     NotKnown
         If a size is not known.
     InvalidInput
-        If there is no such disc, it is undercut, its holes break out of it, or all would take more
-        points than `core.ring.profile.MOST_POINTS`.
+        If the disc cannot exist, is undercut, its holes break out of it, or all outlines need more
+        than `core.ring.profile.MOST_POINTS` points.
     ImpossibleMechanism
         See `core.ring.tooth_outline.satellite_outline`.
     """
@@ -212,7 +182,7 @@ def drawn_satellites(
     else:
         disc = drawn_disc(design=design)
         eccentricity = disc.eccentricity
-    _ = design.known_clearance  # of a hole that is not made for perfect parts alone
+    _ = design.known_clearance  # refuses a hole of perfect parts, whose clearance is not known
     circle, start = design.load.pin_circle_radius, built.initial_crank_angle
     geometry = pin_geometry(
         mechanism=built,
@@ -266,23 +236,9 @@ def drawn_satellites(
 
 
 def drawn_ring_pins(*, design: Design) -> DrawnRingPins:
-    """The pins of the ring of a design as they are drawn.
+    """Ring pins of a design as they are drawn.
 
-    Parameters
-    ----------
-    design : Design
-        The design, with a ring of pins.
-
-    Returns
-    -------
-    DrawnRingPins
-
-    Raises
-    ------
-    NotKnown
-        If a size is not known.
-    InvalidInput
-        If no disc rolls on them.
+    Raises NotKnown if a size is not known, InvalidInput if no disc rolls on them.
     """
     disc, start = drawn_disc(design=design), design.built.initial_crank_angle
     step = 2 if design.cycloid.every_second_pin else 1
@@ -295,25 +251,14 @@ def drawn_ring_pins(*, design: Design) -> DrawnRingPins:
 
 
 def drawn_ring(*, design: Design, chord_error: float) -> DrawnRing:
-    """The involute ring of a design as it is drawn.
-
-    Parameters
-    ----------
-    design : Design
-        The design, with involute teeth.
-    chord_error : float
-        How far the outline may be from the polygon of its points, m.
-
-    Returns
-    -------
-    DrawnRing
+    """Involute ring of a design as it is drawn; `chord_error` in m as in `drawn_satellites`.
 
     Raises
     ------
     NotKnown
-        If a size, profile shifts or heights are not known.
+        If a size, a profile shift or a tooth height is not known.
     InvalidInput
-        If there are no such teeth, or they would take too many points.
+        If no such teeth exist, or the outline needs too many points.
     ImpossibleMechanism
         See `core.ring.tooth_outline.ring_outline`.
     """
@@ -329,24 +274,7 @@ def drawn_ring(*, design: Design, chord_error: float) -> DrawnRing:
 
 
 def drawn_teeth(*, design: Design, chord_error: float) -> DrawnTeeth:
-    """A pitch of the involute satellites of a design and one of their ring, and how these stand.
-
-    Parameters
-    ----------
-    design : Design
-        The design, with involute teeth.
-    chord_error : float
-        How far an outline may be from the polygon of its points, m.
-
-    Returns
-    -------
-    DrawnTeeth
-
-    Raises
-    ------
-    CalculationError
-        As `drawn_ring` and `drawn_satellites`.
-    """
+    """Pitches of the involute satellites and the ring of a design; raises as `drawn_ring` does."""
     pair, built = drawn_pair(design=design), design.built
     return DrawnTeeth(
         lobe=satellite_outline(pair=pair, chord_error=chord_error).points,
@@ -357,21 +285,7 @@ def drawn_teeth(*, design: Design, chord_error: float) -> DrawnTeeth:
 
 
 def drawn_mesh(*, design: Design, mesh: CycloidMesh, chord_error: float) -> DrawnMesh:
-    """The discs of a design on the pins of their ring.
-
-    Parameters
-    ----------
-    design : Design
-        The design.
-    mesh : CycloidMesh
-        Its discs and ring as they are made.
-    chord_error : float
-        How far an outline may be from the polygon of its points, m.
-
-    Returns
-    -------
-    DrawnMesh
-    """
+    """Discs of a design on the pins of their ring, as `mesh` has them; `chord_error` in m."""
     disc, made, built = mesh.disc, mesh.deviations, design.built
     lobe = None
     if disc.modification.rotation == 0:
@@ -389,13 +303,13 @@ def drawn_mesh(*, design: Design, mesh: CycloidMesh, chord_error: float) -> Draw
 
 
 def _turn(design: Design, crank: float) -> float:
-    """Of the teeth of a satellite at the crank angle 0, by the angle of its crank, rad: of a valley
-    that faced the crank at first, or of a tooth that did.
+    """Rotation of a satellite's teeth at crank angle 0, rad, by the angle of its crank: from a
+    valley, or a tooth, that faced the crank at first.
     """
     half = math.pi / design.lobes if design.gear.kind == "involute" else 0.0
     return crank / design.mechanism.ratio + half - design.built.initial_crank_angle
 
 
 def _plane(points: ComplexArray) -> FloatArray:
-    """X and Y of points; a plain zero is not negative."""
+    """X and Y of complex points, shape (n, 2), without negative zeros."""
     return np.column_stack((points.real, points.imag)) + 0.0

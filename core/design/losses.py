@@ -1,6 +1,4 @@
-"""What follows from a design about friction and wear of its pins: each result worked out when it
-is asked for, once, or why it is not known.
-"""
+"""Results about friction and wear of the output pins."""
 
 from dataclasses import replace
 
@@ -17,22 +15,9 @@ from core.output.sampled_turn import WAYS, SampledTurn
 def made_losses(
     *, losses: PinLosses, turn: SampledTurn, reference: float, largest: float
 ) -> PinLosses:
-    """Losses of a mechanism as it is made, by the sum of its forces.
+    """Losses of solved forces, scaled from losses of the ideal forces by the sum of the forces.
 
-    Parameters
-    ----------
-    losses : PinLosses
-        Those of the ideal forces.
-    turn : SampledTurn
-        Forces under the torque.
-    reference : float
-        ``F0 = T/R``, N.
-    largest : float
-        Largest force of a contact in any direction of the torque, N.
-
-    Returns
-    -------
-    PinLosses
+    `reference` is ``F0 = T/R``, N; `largest` the largest contact force in any direction, N.
     """
     total = turn.total / reference
     mean, least, most = float(turn.mean(total)), float(total.min()), float(total.max())
@@ -56,30 +41,21 @@ def made_losses(
 
 
 class LossResults:
-    """What follows from a design about friction of its pins; SI units. What is not known raises
-    `NotKnown`.
-
-    Parameters
-    ----------
-    output : OutputForces
-        The design and the forces on the pins of its output.
-    ring : RingResults
-        What follows about its ring.
-    """
+    """Results of a design about friction of its pins in SI units."""
 
     def __init__(self, output: OutputForces, ring: RingResults) -> None:
         self.design, self.output, self.ring = output.design, output, ring
 
     @derived
     def pins(self) -> PinLosses:
-        """Friction and wear of the pins under the torque, by the forces that are judged."""
+        """Friction and wear of the pins under the working torque, by the judged forces."""
         if not self.design.rubs:
             raise NotKnown("section_missing", "friction")
         return named(self.design, "pin", self._of_pins)
 
     @property
     def efficiency(self) -> float:
-        """Of the output, and of the ring where friction on its pins is given."""
+        """Efficiency of the output, and of the ring too if friction on its pins is given."""
         output, gear = float(self.pins.efficiency), self.design.gear
         if not gear or gear.friction_coefficient is None:
             return output
@@ -88,7 +64,7 @@ class LossResults:
 
     @property
     def _rubbing(self) -> BarePins | Sleeves:
-        """What slides: rollers or sleeves on their pins, or pins in their holes."""
+        """Sliding surfaces: rollers or sleeves on their pins, or pins in their holes."""
         design = self.design
         if design.rollers:
             return Sleeves(design.rollers.bore_diameter)
@@ -127,9 +103,7 @@ class LossResults:
 
     @derived
     def _turns(self) -> list[SampledTurn]:
-        """Forces of the mechanism as it is made, in each direction of the torque; none where the
-        ideal ones are judged.
-        """
+        """Solved forces in each direction of the torque; empty if ideal forces are judged."""
         if not self.output.solved:
             return []
         load = self.design.load
@@ -138,5 +112,5 @@ class LossResults:
 
     @derived
     def turn(self) -> SampledTurn:
-        """Of these the ones with the larger losses, where they are solved."""
+        """Solved forces in the direction with the larger losses."""
         return max(self._turns, key=lambda turn: float(turn.mean(turn.total)))

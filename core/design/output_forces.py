@@ -1,4 +1,4 @@
-"""What the results of ring, crank and friction take of the forces on the output's pins."""
+"""Interface of the forces on the output pins that results of ring, crank and friction use."""
 
 from collections.abc import Callable
 from typing import Any, Protocol
@@ -10,22 +10,22 @@ from core.output.sampled_turn import Made
 
 
 class OutputForces(Protocol):
-    """A design, and the forces on the pins of its output."""
+    """Design with the forces on its output pins."""
 
     design: Design
     solved: bool
 
     @property
     def in_series(self) -> bool:
-        """Whether both meshes are solved in series."""
+        """True if both meshes are solved in series."""
 
     @property
     def over_turn(self) -> Callable[[float], OverTurn]:
-        """Extremes over the turn, of a torque, N*m, negative in reverse."""
+        """Extremes over the turn, as a function of the torque, N*m, negative in reverse."""
 
     @property
     def made(self) -> Made:
-        """The forces on pins and satellites, where they are solved."""
+        """Solved forces on pins and satellites over the turn, as a function of the torque, N*m."""
 
     @property
     def member_loads(self) -> MemberLoads:
@@ -33,7 +33,7 @@ class OutputForces(Protocol):
 
     @property
     def turning(self) -> dict[str, Any]:
-        """What the forces follow from, and what turns, as arguments."""
+        """Arguments that determine the forces and the motion."""
 
     def limit_pairs(self, most: int) -> None:
-        """Refuse more pairs than ideal forces are integrated of."""
+        """Raise `NotKnown` if ideal forces of more than `most` pairs are to be integrated."""

@@ -1,4 +1,4 @@
-"""What the fatigue of a pin is judged by: of the output or of the ring."""
+"""Fatigue strength of a pin of the output or of the ring."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -13,33 +13,15 @@ from core.output.pin_fatigue import FatigueStrength
 def fatigue_of(
     *, design: Design, pin: DesignPin, loads: Callable[[float], float]
 ) -> FatigueStrength:
-    """What the fatigue of a pin is judged by.
+    """Fatigue strength of a pin; `loads` gives the number of loads over a life in s.
 
-    Parameters
-    ----------
-    design : Design
-        The design.
-    pin : DesignPin
-        The pin.
-    loads : callable
-        How often it is loaded over a life, s, as far as that is known.
-
-    Returns
-    -------
-    FatigueStrength
-
-    Raises
-    ------
-    NotKnown
-        Without the yield strength that the criterion needs.
-    InvalidInput
-        See `core.fatigue`.
+    Raises NotKnown if the criterion needs a yield strength that is not given.
     """
     basis = design.fatigue
     if basis.criterion == "soderberg":
         path = f"{pin.material_path}.yield_strength"
         required(pin.material.yield_strength, "yield_unknown", path)
     found = named(design, "fatigue", lambda: basis.strength(pin))
-    if not pin.steel or pin.rotates:  # then no cycles are counted
+    if not pin.steel or pin.rotates:  # cycles are counted for steel pins that stand still
         return found
     return replace(found, cycles=loads(design.life_of(basis)))

@@ -1,4 +1,4 @@
-"""Forces of a design as it is made, as its checks look at them: over the turn, each direction."""
+"""Solved forces of a design over the turn, in the direction of the torque that checks judge."""
 
 import math
 from collections.abc import Callable
@@ -16,55 +16,33 @@ from core.output.sampled_turn import WAYS, Direction
 
 @dataclass(frozen=True)
 class RealForces:
-    """The mechanism as it is made under a torque, over the turn.
+    """Mechanism as it is made under a torque, over the turn."""
 
-    Attributes
-    ----------
-    real : RealMechanism
-        The mechanism, with materials.
-    way : float
-        Sign of the torque under which the pressure is larger.
-    torque : float
-        Its size, N*m.
-    turn : OverTurn
-        Extremes over the turn, in the worse direction.
-    """
-
-    real: RealMechanism
-    way: float
-    torque: float
-    turn: OverTurn
+    real: RealMechanism  # mechanism with its materials
+    way: float  # sign of the torque under which the pressure is larger
+    torque: float  # magnitude of the torque, N*m
+    turn: OverTurn  # extremes over the turn, in the worse direction
 
     @classmethod
     def solved(
         cls, *, turn: Callable[[float], OverTurn], torque: float, direction: Direction
     ) -> Self:
-        """Forces of a mechanism.
+        """Forces under a torque of magnitude `torque`, N*m, in the direction of the larger
+        pressure.
 
-        Parameters
-        ----------
-        turn : callable
-            Of the torque, N*m, negative in reverse: extremes of the mechanism under it, with
-            materials.
-        torque : float
-            Size of the torque, N*m, > 0.
-        direction : {"driving", "reverse", "alternating"}
-            Its direction; of both the worse counts.
-
-        Returns
-        -------
-        RealForces
+        `turn` gives the extremes of a mechanism with materials, of a torque in N*m, negative in
+        reverse.
 
         Raises
         ------
         ImpossibleMechanism
-            See `core.output.real_mechanism.RealMechanism.solved`.
+            If there is no equilibrium; see `core.output.real_mechanism.RealMechanism.solved`.
         """
         ways = WAYS[direction]
         turns = {way: turn(way * torque) for way in ways}
 
         def pressure(way: float) -> float:
-            with suppress(NotKnown):  # of materials; a turn that cannot be solved is refused
+            with suppress(NotKnown):  # unknown materials alone; a turn without a solution raises
                 return turns[way].max_pressure
             return math.inf
 
@@ -73,17 +51,17 @@ class RealForces:
 
     @cached_property
     def pair(self) -> int:
-        """Index of the pair with the largest pressure, satellite by satellite."""
+        """Index of the pair with the largest pressure, counted satellite by satellite."""
         return self.turn.hardest[0]
 
     @cached_property
     def force(self) -> float:
-        """Force of that pair at the largest pressure, N."""
+        """Force of the pair with the largest pressure, N."""
         return self.turn.hardest[1]
 
     @property
     def place(self) -> dict[str, float]:
-        """Where the largest pressure is reached; the crank angle where it is the largest force."""
+        """Satellite and pin of the largest pressure, and its crank angle if known."""
         peak, pins = self.turn.peak_pair, self.real.mechanism.pins
         satellite, pin = self.pair // pins + 1, self.pair % pins + 1
         place: dict[str, float] = {"satellite": satellite, "pin": pin}
@@ -92,17 +70,7 @@ class RealForces:
         return place
 
     def contact_at(self, factor: float) -> HertzContact:
-        """Contact of that pair under so many times its force.
-
-        Parameters
-        ----------
-        factor : float
-            Factor on the force, > 0.
-
-        Returns
-        -------
-        HertzContact
-        """
+        """Contact of the pair with the largest pressure under its force times a factor > 0."""
         contact, turn = self.real.contact(self.pair, self.force * factor), self.turn.accuracy
         error = contact.accuracy.relative_error + turn.relative_error
         return contact._replace(accuracy=turn._replace(relative_error=error))

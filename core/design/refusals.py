@@ -1,4 +1,4 @@
-"""Refusals of calculations in terms of a design's sections."""
+"""Refusals of calculations that name the field of a design with its section."""
 
 import re
 from collections.abc import Callable
@@ -14,26 +14,10 @@ SHARED = ("mechanism", "load", "contact")
 
 
 def named(design: Design, section: str, calculation: Callable[[], Result]) -> Result:
-    """A result; a refusal names the field with its section.
+    """Result of a calculation; its `InvalidInput` is raised again with the section before the
+    field.
 
-    Parameters
-    ----------
-    design : Design
-        The design.
-    section : str
-        The section that the calculation is of, whose fields come first.
-    calculation : callable
-        What makes the result; it refuses its own parameters.
-
-    Returns
-    -------
-    object
-        What it makes.
-
-    Raises
-    ------
-    InvalidInput
-        As the calculation does.
+    `section` is searched for the field first, then the sections in `SHARED`.
     """
     try:
         return calculation()

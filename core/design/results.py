@@ -1,6 +1,4 @@
-"""What follows from a design: each result worked out when it is asked for, once, or why it is not
-known.
-"""
+"""Results of a design; each is calculated once or raises `NotKnown` with the reason."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -40,14 +38,14 @@ from core.ring.series_samples import sampled_in_series
 from core.ring.series_turn import SeriesOverTurn, SeriesTurn, positions_in_series
 
 MOST_REAL_PAIRS, MOST_GIVING_PAIRS = 100, 25
-"""Most pairs of a mechanism whose real forces are solved: over the turn that takes seconds; of one
-whose satellites give."""
+"""Largest number of pairs whose solved forces over the turn take seconds; and of pairs with
+elastic satellites."""
 
 MOST_PIN_PAIRS = 500
-"""Most pairs of which the locus of a pin's moment is looked at."""
+"""Largest number of pairs for which the moment of a pin is followed over the turn."""
 
 MOST_IN_SERIES = 250_000
-"""Most forces of both meshes in series over their turns."""
+"""Largest number of forces over the turns that is solved with both meshes in series."""
 
 SOFTENED = (
     "contact.pin_material",
@@ -56,57 +54,54 @@ SOFTENED = (
     "gear.pin_material",
     "gear.disc_material",
 )
-"""Materials by whose moduli parts give."""
+"""Paths of the materials whose moduli determine deflections."""
 
 
 @dataclass(frozen=True, slots=True)
 class RollersOnPins:
-    """Rollers on the pins, and what they do besides carrying."""
+    """Rollers on the output pins with their loads, loss and play."""
 
-    loads: PinRollers  # of the one that is loaded most
-    loss: float | None  # of all, mean over the turn, W
-    added_clearance: float  # to that of pins and holes, m
-    tilt: float | None  # largest slope of a pin in them, rad
+    loads: PinRollers  # for the roller with the largest load
+    loss: float | None  # power loss of all rollers, mean over the turn, W
+    added_clearance: float  # added to the radial clearance of pins and holes, m
+    tilt: float | None  # largest slope of a pin in the rollers, rad
 
 
 class Results:
-    """What follows from a design; SI units. What is not known raises `NotKnown`, and what cannot be
-    `ImpossibleMechanism`, each time that it is asked for.
+    """Results of a design in SI units.
+
+    A result that is not known raises `NotKnown`, and one that cannot exist raises
+    `ImpossibleMechanism`, at each access.
 
     Parameters
     ----------
     design : Design
-        The design.
     equal : bool
-        Whether satellites share the load equally, as in the papers, where nothing but the bending
-        of their pins makes them share otherwise.
+        True ignores the bending of pins, so that satellites of perfect parts share the load
+        equally, as the papers assume.
     """
 
     def __init__(self, design: Design, *, equal: bool = False) -> None:
         self.design = design
         self.shared_equally = equal
         self.solved = design.as_made or (design.bends and not equal)
-        """Whether the forces that are judged are solved over the turn: those of the mechanism as it
-        is made, or of perfect parts whose pins bend; else they are the ideal ones."""
+        """True if checks judge forces solved over the turn, with clearance, deviations, elastic
+        satellites or bent pins; False if they judge ideal forces."""
 
     @cached_property
     def in_series(self) -> bool:
-        """Whether both meshes are solved in series: where the ring's can be, of at most
-        `MOST_IN_SERIES` forces over the turns.
-        """
+        """True if both meshes are solved in series, which takes at most `MOST_IN_SERIES` forces."""
         return 0 < self.forces_in_series <= MOST_IN_SERIES
 
     @property
     def uneven(self) -> bool:
-        """Whether satellites may carry different parts of the load: of several whose forces are
-        solved, or by a factor that is stated.
-        """
+        """True if satellites may share the load unequally, by solved forces or a stated factor."""
         several = self.design.mechanism.satellites > 1
         return several and (self.solved or self.design.disc_factor > 1)
 
     @cached_property
     def forces_in_series(self) -> int:
-        """Number of forces over the turns of both meshes in series; 0 where they are not."""
+        """Number of forces over the turns of both meshes in series; 0 if they are not in series."""
         if not (self.design.in_series and is_known(lambda: self.ring.mesh)):
             return 0
         ring = self.ring.mesh
@@ -122,35 +117,33 @@ class Results:
 
     @cached_property
     def ring(self) -> RingResults:
-        """What follows about the ring."""
+        """Results about the ring."""
         return RingResults(self)
 
     @cached_property
     def losses(self) -> LossResults:
-        """What follows about friction and wear of the pins."""
+        """Results about friction and wear of the pins."""
         return LossResults(self, self.ring)
 
     @cached_property
     def crank(self) -> CrankResults:
-        """What follows about the crank."""
+        """Results about bearings and crankshaft."""
         return CrankResults(self, self.ring)
 
     @cached_property
     def equal(self) -> "Results":
-        """The same where satellites share the load equally, of one mesh with the ring."""
+        """Results with the load shared equally between satellites, with an unchanged ring mesh."""
         found = Results(self.design, equal=True)
         found.ring.turn = self.ring.turn
         return found
 
     @property
     def two_ways(self) -> bool:
-        """True where satellites of perfect parts, whose clearance is not known, may share the load
-        by the bending of their pins or equally.
-        """
+        """True if satellites of unknown clearance may share evenly or by the bending of pins."""
         return self.design.clearance_unknown and self.solved and not self.design.as_made
 
     def under(self, factor: float) -> "Results":
-        """Results of the design under so many times its working and peak torque."""
+        """Results with working and peak torque multiplied by a factor."""
         torque, peak = self.design.load.output_torque * factor, self.design.load.peak_torque
         more = {"load.output_torque": torque, "load.peak_torque": peak and peak * factor}
         return Results(changed(self.design, more), equal=self.shared_equally)
@@ -169,9 +162,7 @@ class Results:
 
     @cached_property
     def softest(self) -> "Results":
-        """The same with the least moduli of the materials, where sources differ: by which
-        deflections are judged.
-        """
+        """Results with the least moduli that sources state, which judge deflections."""
         held = {name: value_at(self.design, name) for name in SOFTENED}
         softer = {
             name: each.softest
@@ -189,7 +180,7 @@ class Results:
 
     @derived
     def contact_force(self) -> ContactForce:
-        """The ideal contact force."""
+        """Ideal contact force."""
         load = self.design.load
         return contact_force(
             output_torque=self.design.pin_torque,
@@ -200,7 +191,7 @@ class Results:
 
     @derived
     def rooms(self) -> Rooms:
-        """Pins in their holes by geometry, of at most `MOST_REAL_PAIRS`, or `MOST_GIVING_PAIRS`."""
+        """Positions of pins in holes by geometry, for at most `MOST_REAL_PAIRS` pairs."""
         design = self.design
         radius, pair = design.load.pin_circle_radius, design.pair
         most = MOST_GIVING_PAIRS if design.support.gives else MOST_REAL_PAIRS
@@ -209,7 +200,7 @@ class Results:
         eccentricity = design.contact.eccentricity
         if eccentricity is None:
             eccentricity = pair.hole_radius - pair.pin_radius
-        if eccentricity >= radius:  # holes around the centre
+        if eccentricity >= radius:  # holes enclose the centre
             than = {"field": "pin_circle_radius", "limit": radius}
             refusal = InvalidInput("contact.eccentricity", None, "smaller_than", **than)
             raise NotKnown(refusal.code, refusal=refusal)
@@ -228,7 +219,7 @@ class Results:
 
     @derived
     def real(self) -> RealMechanism:
-        """The mechanism as it is made."""
+        """Mechanism with its clearance, deviations, contact law and bending pins."""
         design, rooms = self.design, self.rooms
         bends = design.pin and design.pin.satellite_positions
         pin = self.bent_pin if bends else RIGID_PINS
@@ -250,15 +241,13 @@ class Results:
 
     @cached_property
     def law(self) -> ContactLaw:
-        """The law of contact of pins in holes: as given, or by their materials."""
+        """Contact law of pins in holes, as given or by their materials."""
         known = self.design.known_material
         return self.design.contact_law or usual_law(pin=known("pin"), hole=known("hole"))
 
     @derived
     def grip(self) -> Grip:
-        """The bolt and its spacer under the largest loads of the root, dynamic and at the peak
-        torque, as the spacer carries them.
-        """
+        """Bolt and spacer under the largest root moment and shear, dynamic or at peak torque."""
         pin = self.design.pin
         bolt = required(pin.bolt, "section_missing", "pin")
         spacer = Results(
@@ -277,9 +266,7 @@ class Results:
 
     @derived
     def bent_pin(self) -> DesignPin:
-        """The pin that bends: of a bolt through a spacer the spacer while it is held, else the bolt
-        alone.
-        """
+        """Pin that bends; for a bolt through a spacer, the spacer while clamped, else the bolt."""
         pin = self.design.pin
         if not pin or pin.bolt is None:
             return pin
@@ -288,7 +275,7 @@ class Results:
 
     @derived
     def fit(self) -> Fit:
-        """What becomes of pins that do not fit into their holes."""
+        """Result of pins that do not fit into their holes."""
         return Fit(self.rooms, self.real)
 
     def _refuse_misfits(self) -> None:
@@ -297,21 +284,12 @@ class Results:
             raise self.fit.refusal()
 
     def real_forces_at(self, factor: float) -> RealForces:
-        """Forces of the mechanism as it is made under so many times the torque.
-
-        Parameters
-        ----------
-        factor : float
-            Factor on the torque, > 0.
-
-        Returns
-        -------
-        RealForces
+        """Solved forces under the torque times a factor > 0.
 
         Raises
         ------
         ImpossibleMechanism
-            See `core.output.real_mechanism.RealMechanism.solved`.
+            If there is no equilibrium; see `core.output.real_mechanism.RealMechanism.solved`.
         """
         self._refuse_misfits()
         load = self.design.load
@@ -323,23 +301,23 @@ class Results:
 
     @derived
     def real_forces(self) -> RealForces:
-        """Those forces under the torque."""
+        """Solved forces under the working torque."""
         return self.real_forces_at(1.0)
 
     @derived
     def loading(self) -> RealForces:
-        """The same under the dynamic load: the forces that are judged."""
+        """Solved forces under the dynamic load."""
         factor = self.design.load_factor
         return self.real_forces if factor == 1 else self.real_forces_at(factor)
 
     @derived
     def judged_forces(self) -> RealForces | ContactForce:
-        """The forces that are judged."""
+        """Forces that checks judge, solved under the dynamic load or ideal."""
         return self.loading if self.solved else self.contact_force
 
     @cached_property
     def turn(self) -> Callable[[float], Turn]:
-        """The mechanism as it is made over the turn, of a torque, N*m, negative in reverse."""
+        """Mechanism solved over the turn, as a function of the torque, N*m, negative in reverse."""
         if self.in_series:
             self._refuse_misfits()
             return cache(lambda torque: SeriesTurn(self.series, torque))
@@ -347,7 +325,7 @@ class Results:
 
     @cached_property
     def over_turn(self) -> Callable[[float], OverTurn]:
-        """Extremes of the same."""
+        """Extremes over the turn, as a function of the torque, N*m, negative in reverse."""
         return cache(lambda torque: self._over(self.turn(torque)))
 
     def _over(self, turn: Turn) -> OverTurn:
@@ -356,9 +334,7 @@ class Results:
         return OverTurn(turn)
 
     def forces_at(self, crank_angle: float) -> tuple[tuple[float, ...], ...]:
-        """Forces on the pins that are solved, N, K x N, at a crank angle, rad, under the torque in
-        the direction of the larger pressure.
-        """
+        """Forces on the pins, N, K x N, at a crank angle, rad, in the worse direction."""
         solved = self.real_forces
         given = {"crank_angle": crank_angle, "output_torque": solved.way * solved.torque}
         if self.in_series:
@@ -367,14 +343,14 @@ class Results:
 
     @derived
     def made(self) -> Made:
-        """The forces on pins and satellites that are solved over the turn, of a torque likewise."""
+        """Solved forces on pins and satellites over the turn, as a function of the torque, N*m."""
         if self.in_series:
             return cache(lambda torque: sampled_in_series(self.turn(torque)))  # type: ignore[arg-type]
         return cache(lambda torque: sampled(self.turn(torque)))
 
     @cached_property
     def compliance(self) -> Callable[[Number], Number]:
-        """Approach of a contact over its force, m/N, of forces, N."""
+        """Approach of a contact over its force, m/N, as a function of the force, N."""
         known = self.design.known_material
         length, pin_radius, hole_radius = self.design.pair
         if not hole_radius > pin_radius:
@@ -391,7 +367,7 @@ class Results:
 
     @property
     def _forced(self) -> dict[str, Any]:
-        """What the forces follow from, as arguments."""
+        """Arguments that determine the forces."""
         load = self.design.load
         return {
             "mechanism": self.design.built,
@@ -404,7 +380,7 @@ class Results:
 
     @property
     def turning(self) -> dict[str, Any]:
-        """The same, with what turns."""
+        """Arguments that determine the forces and the motion."""
         moving = {
             "eccentricity": self.design.contact.eccentricity,
             "input_speed": self.design.speeds and self.design.speeds.turning,
@@ -412,18 +388,18 @@ class Results:
         return self._forced | moving
 
     def limit_pairs(self, most: int) -> None:
-        """Refuse more pairs than ideal forces are integrated of."""
+        """Raise `NotKnown` if ideal forces of more than `most` pairs are to be integrated."""
         if not self.solved and self.design.pairs > most:
             raise self.design.too_many(most)
 
     @derived
     def fatigue_strength(self) -> FatigueStrength:
-        """What the fatigue of the pins is judged by."""
+        """Fatigue strength of the pins."""
         return fatigue_of(design=self.design, pin=self.bent_pin, loads=self.design.loads_over)
 
     @property
     def loaded_pins(self) -> dict[str, Any]:
-        """The pins and what loads them, as arguments of `pin_stresses`."""
+        """Pins and their loads, as arguments of `pin_stresses`."""
         pin = self.bent_pin
         return self._forced | {
             "application_factor": self.design.load_factor * self.design.distribution_factor,
@@ -440,9 +416,7 @@ class Results:
 
     @derived
     def pin_stresses(self) -> PinStresses:
-        """Stresses of the pins under the dynamic load, of at most `MOST_PIN_PAIRS`, or where a tie
-        ring joins them `MOST_REAL_PAIRS`.
-        """
+        """Stresses of the pins under the dynamic load, for at most `MOST_PIN_PAIRS` pairs."""
         if not self.design.pin:
             raise NotKnown("section_missing", "pin")
         self.limit_pairs(MOST_REAL_PAIRS if self.design.tied else MOST_PIN_PAIRS)
@@ -450,16 +424,16 @@ class Results:
 
     @derived
     def pin_loads(self) -> PinStrength:
-        """Strength of the pins without their fatigue, with their deflection."""
+        """Strength and deflection of the pins, without fatigue."""
         return self.pin_stresses.strength()
 
     @derived
     def pin_strength(self) -> PinStrength:
-        """Strength of the pins under the dynamic load, its static safety under the peak torque."""
+        """Strength of the pins under the dynamic load, with static safety under the peak torque."""
         return self.judged_pins()
 
     def judged_pins(self, *, locus: bool = False) -> PinStrength:
-        """The same, at will with the locus of the moment."""
+        """Strength of the pins; `locus` adds the locus of the bending moment."""
         fatigue, notices = None, tuple[Notice, ...]()
         try:
             fatigue = self.fatigue_strength
@@ -479,7 +453,7 @@ class Results:
 
     @derived
     def static_pin_force(self) -> float:
-        """Largest force of a satellite on a pin under the torque of static strength, N."""
+        """Largest force of a satellite on a pin under the torque for static strength, N."""
         design = self.design
         if not self.solved:
             share = design.static_torque * design.distribution_factor / design.pin_torque
@@ -489,7 +463,7 @@ class Results:
 
     @derived
     def wall_stress(self) -> float:
-        """Largest bending stress of the wall about a pin's bore under that force, Pa."""
+        """Largest bending stress of the wall about a pin's bore under `static_pin_force`, Pa."""
         pin = self.design.pin
         if not pin:
             raise NotKnown("section_missing", "pin")
@@ -497,7 +471,7 @@ class Results:
         return float(pin.section.wall_stress(line_load=self.static_pin_force / width))
 
     def _bolted(self, found: PinStrength) -> PinStrength:
-        """The same of a bolt through a spacer: what is held is squeezed besides."""
+        """Strength of a bolted pin; a bolt that clamps its spacer adds the clamping stress."""
         if not self.grip.holds:
             return replace(found, bolt=self.grip, notices=(Notice("bolt_alone"), *found.notices))
         return replace(
@@ -509,19 +483,17 @@ class Results:
 
     @property
     def size_notices(self) -> tuple[Notice, ...]:
-        """Whether the pin that bends is thicker than its material's strengths hold for."""
+        """Notice of a bent pin thicker than the strengths of its material hold for."""
         return self.bent_pin.thick if self.design.pin else ()
 
     @derived
     def hertz(self) -> HertzContact:
-        """The contact with the largest pressure: at the end of the length where the pin slopes."""
+        """Contact with the largest pressure; at the end of the contact length if the pin slopes."""
         return self.contact_at(self.line_load_factor)
 
     @derived
     def line_load_factor(self) -> float:
-        """Largest line load of a contact over the mean one of the largest force: by the slope of
-        bent pins at that angle.
-        """
+        """Largest line load of a contact over the mean line load of the largest force."""
         judged = self.judged_forces
         if not self.design.pin:
             return 1.0
@@ -533,17 +505,17 @@ class Results:
 
     @derived
     def sloping(self) -> SlopingContacts:
-        """The contacts of pins that slope."""
+        """Contacts of sloping pins."""
         stresses, length = self.pin_stresses, self.design.pair.contact_length
         return SlopingContacts(stresses.pin, stresses.loads, length, self.compliance)
 
     @derived
     def edge(self) -> EdgeLoad:
-        """The contact with that line load."""
+        """Contact with the largest line load."""
         return self.sloping.largest()
 
     def contact_at(self, factor: float) -> HertzContact:
-        """The contact under so many times its force."""
+        """Contact under its force times a factor."""
         force = self.judged_forces
         if isinstance(force, RealForces):
             return force.contact_at(factor)
@@ -576,15 +548,15 @@ class Results:
 
     @property
     def sliding_friction(self) -> Spread:
-        """Friction coefficient in the holes for metals: beside a plastic of which it is not known
-        none, as that is open by itself.
+        """Range of the friction coefficient in the holes for the limits of metals; 0 if it is not
+        known, as a check of the plastic beside them then reports that.
         """
         return if_known(lambda: self.design.hole_friction) or Spread.of(0.0)
 
     def cold_limit(self, body: Body, contact: HertzContact, *, most: bool = False) -> float:
-        """Least pressure at which a plastic body may yield at once, Pa, or one at which it does for
-        certain: cold, in the direction in which it is loaded, the less the further a contact wraps
-        around its pin.
+        """Least pressure at which a cold plastic body may yield at once, Pa; with `most` the
+        pressure at which it does for certain. Strength is taken in the direction of the load, and a
+        contact that wraps around its pin lowers the limit.
         """
         material, design = self.design.known_material(body), self.design
         ratio = float(material.poissons_ratio)
@@ -613,9 +585,7 @@ class Results:
         return limit
 
     def softest_contact(self, contact: HertzContact) -> HertzContact:
-        """A contact under the same load with the least moduli that sources have, which wraps
-        farther around its pin.
-        """
+        """Contact under an equal load with the least moduli, which wraps farther around the pin."""
         pin, hole = self.design.known_material("pin"), self.design.known_material("hole")
         if pin.softest is pin and hole.softest is hole:
             return contact
@@ -630,9 +600,7 @@ class Results:
 
     @derived
     def contact_reserves(self) -> dict[str, float]:
-        """Factors on the force of the contact under which it is at its limits, by the code of their
-        check, whose pressure has to be known. Ideal forces on level pins grow with the torque.
-        """
+        """Factors on the contact force that reach the pressure limits, by the code of the check."""
         contact, largest = self.hertz, self.line_load_factor
         _ = contact.governing_pressure
         return {
@@ -645,9 +613,7 @@ class Results:
         }
 
     def disc_of(self, contact: HertzContact) -> Notice | None:
-        """Whether the disc ends so near to its holes that the pressure of a contact is off by it,
-        or is not known: of one that wraps around its pin.
-        """
+        """Notice that holes near the disc's edge make a conformal pressure inexact or unknown."""
         if not contact.is_conformal:
             return None
         distance = self.design.disc_distance
@@ -661,14 +627,12 @@ class Results:
         return Notice("finite_disc", params) if error else None
 
     def ovals_under(self, factor: float) -> bool:
-        """Whether the disc ends so near to its holes that the pressure is not known under so many
-        times the torque.
-        """
+        """True if holes near the disc's edge leave the pressure at a torque factor unknown."""
         near = self.design.disc_distance < OVALS
         return near and self.static_contact_at(factor).is_conformal
 
     def static_contact_at(self, factor: float) -> HertzContact:
-        """The contact under so many times its force at the peak torque."""
+        """Contact under its force at the peak torque times a factor."""
         factor *= self.line_load_factor
         if not self.solved:
             return self.contact_at(factor * self.design.static_share)
@@ -676,19 +640,19 @@ class Results:
 
     @derived
     def static_forces(self) -> RealForces:
-        """Forces of the mechanism as it is made under the peak torque."""
+        """Solved forces under the torque for static strength."""
         if self.design.static_share == 1:
             return self.loading
         return self.real_forces_at(self.design.static_torque / self.design.pin_torque)
 
     @derived
     def static_contact(self) -> HertzContact:
-        """The contact with the largest pressure under the peak torque."""
+        """Contact with the largest pressure under the peak torque."""
         return self.static_contact_at(1.0)
 
     @derived
     def peak(self) -> dict[str, float]:
-        """Where the largest pressure is reached."""
+        """Satellite, pin and crank angle of the largest pressure, as far as they are known."""
         force = self.judged_forces
         if self.design.pin:
             edge, at = self.edge, dict[str, float]()
@@ -708,8 +672,8 @@ class Results:
 
     @derived
     def roller_loads(self) -> PinRollers:
-        """Loads and life of the rollers on the pins under the torque, their static safety under the
-        peak torque, of at most `MOST_BEARING_PAIRS`. Without a speed there is no life.
+        """Loads and life of the rollers on the pins under the working torque, static safety under
+        the peak torque, for at most `MOST_BEARING_PAIRS` pairs. Without a speed there is no life.
         """
         own, design = self.design.rollers, self.design
         if not own:
@@ -737,7 +701,7 @@ class Results:
 
     @property
     def rollers(self) -> "RollersOnPins":
-        """The same with loss, clearance and tilt, as far as these are known."""
+        """Rollers on the pins with loss, clearance and tilt, as far as known."""
         return RollersOnPins(
             loads=self.roller_loads,
             loss=if_known(lambda: float(self.losses.pins.mean_loss)),

@@ -1,4 +1,4 @@
-"""The section of the ring: its teeth or pins, as far as they are given, in SI units."""
+"""Section of the ring: its teeth or pins, as far as they are given, in SI units."""
 
 import math
 from dataclasses import dataclass
@@ -23,86 +23,59 @@ RingBody = Literal["pin", "disc"]
 RingClass = Literal["ground", "machined", "printed"]
 
 DEDENDUM = 1.25
-"""Depth of the roots of involute teeth within their reference circle without a profile shift, over
-the module: that of the basic rack of ISO 53, types A and B."""
+"""Dedendum of involute teeth over the module, without profile shift: basic rack of ISO 53, types A
+and B."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AnyRing:
-    """What rings of whatever teeth have."""
+    """Fields that rings of all kinds have."""
 
-    # Teeth, or pins, of the ring less those of a satellite; of pins where it is known.
+    # Teeth or pins of the ring less teeth of a satellite; None for pins if not given.
     teeth_difference: int | None = None
-    contact_length: float | None = None  # of a satellite in the ring, m
-    friction_coefficient: float | None = None  # of what slides on pins or flanks
+    contact_length: float | None = None  # width of a satellite in the ring, m
+    friction_coefficient: float | None = None  # on ring pins or flanks
 
     @property
     def of_ring(self) -> ElasticMaterial | None:
-        """Material of the ring's pins or teeth."""
+        """Material of ring pins or ring teeth."""
         return None
 
     @property
     def of_satellites(self) -> ElasticMaterial | None:
-        """Material of the satellites' teeth, where it is given here."""
+        """Material of the satellites' teeth if the ring section states it."""
         return None
 
     @property
     def friction(self) -> RingFriction:
-        """What slides in the ring, where the coefficient is known."""
+        """Sliding contact of the ring; `NotKnown` without a friction coefficient."""
         return RingFriction(self.known_friction)
 
     @property
     def rolls(self) -> bool:
-        """Whether flanks roll on sleeves or rolling elements, in which all slides."""
+        """True if flanks roll on sleeves or rolling elements, inside which all sliding occurs."""
         return False
 
     @property
     def known_friction(self) -> float:
-        """Its friction coefficient, which has to be given."""
+        """Friction coefficient of the ring; `NotKnown` if it is not given."""
         name = "gear.friction_coefficient"
         return required(self.friction_coefficient, "ring_friction_unknown", name)
 
     def roots(self, *, ratio: float, eccentricity: float | None) -> tuple[float, float]:
-        """Between which radii the roots of a satellite's teeth lie.
-
-        Parameters
-        ----------
-        ratio : float
-            Ratio u.
-        eccentricity : float or None
-            Eccentricity of the cranks, m.
-
-        Returns
-        -------
-        tuple of float
-            Least and largest radius, m; 0 and infinite where nothing is known.
-        """
+        """Least and largest root radius of a satellite's teeth, m; 0 and infinite if not known."""
         return 0.0, math.inf
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OtherRing(AnyRing):
-    """A ring of teeth of which the ratio of their forces is all that is known; or, of kind none,
-    one whose force along the crank is left out.
-    """
+    """Ring known by the ratio of its forces alone; kind "none" has no force along the crank."""
 
-    kind: Literal["none"] | None = None  # of none the force along the crank is left out
-    radial_force_ratio: float | None = None  # force along the crank over that across it
+    kind: Literal["none"] | None = None  # "none" leaves out the force along the crank
+    radial_force_ratio: float | None = None  # force along the crank over force across it
 
     def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
-        """The ring's force on a satellite.
-
-        Parameters
-        ----------
-        eccentricity : float
-            Eccentricity of the cranks, m.
-        ratio : float
-            Ratio u.
-
-        Returns
-        -------
-        RingMesh
-        """
+        """Force of the ring on a satellite."""
         if self.radial_force_ratio is not None:
             return RingMesh(self.radial_force_ratio)
         return RingMesh(0.0, notices=(Notice("no_ring_force"),))
@@ -110,85 +83,68 @@ class OtherRing(AnyRing):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CycloidRing(AnyRing):
-    """Pins on which cycloid discs roll, as far as they are given.
+    """Ring pins on which cycloid discs roll, as far as they are given."""
 
-    Attributes
-    ----------
-    modification : Modification or None
-        Of the discs; None where nothing is known of it.
-    contact_law : ContactLaw or None
-        How a pin and a disc give; by Hertz where that is not stated.
-    pin_support : {"seat", "supported", "fixed"}
-        In half a bore, held at both ends free to tilt, or built in at both.
-    satellite_positions : tuple of float
-        Middle plane of each satellite from one of the two supports, m.
-    pin_tensile_strength, pin_steel, pin_valid_diameter
-        Of the material of the pins, as `DesignPin` has them.
-    seat_stiffness : float
-        Of a pin in its bore and of what holds that, N/m.
-    ring_class : {"ground", "machined", "printed"} or None
-        How discs and ring are made, by which what is not known of them is usual.
-    """
-
-    kind: Literal["cycloid"] = "cycloid"  # pins
+    kind: Literal["cycloid"] = "cycloid"  # kind of teeth
     ring_pin_circle_radius: float  # R_p of the circle of the pins, m
-    ring_pin_radius: float | None = None  # of these, m
-    modification: Modification | None = None
-    contact_law: ContactLaw | None = None
-    pin_material: ElasticMaterial | None = None  # of the pins
-    disc_material: ElasticMaterial | None = None  # of the discs
+    ring_pin_radius: float | None = None  # r_p of the pins, m
+    modification: Modification | None = None  # None: not known
+    contact_law: ContactLaw | None = None  # elastic law of pin and disc; None: by Hertz
+    pin_material: ElasticMaterial | None = None  # material of the pins
+    disc_material: ElasticMaterial | None = None  # None: material of the holes
+    # "seat": in half a bore; "supported": both ends held, free to tilt; "fixed": both ends clamped.
     pin_support: RingPinSupport = "seat"
     span: float | None = None  # distance of the two supports, m
-    satellite_positions: tuple[float, ...] = ()
-    rotates: bool = False  # whether the pins turn in their supports
-    pin_tensile_strength: float | None = None
-    pin_steel: bool = False
-    pin_valid_diameter: float | None = None
-    seat_stiffness: float = math.inf
-    sleeve_bore_radius: float = 0.0  # of sleeves on the pins, m; 0 without them
-    rolling: bool = False  # whether rolling elements carry them
-    tool_radius: float | None = None  # of what grinds or cuts the flanks of the discs, m
-    every_second_pin: bool = False  # whether every second pin is left out
-    ring_class: RingClass | None = None
+    satellite_positions: tuple[float, ...] = ()  # middle of each satellite from one support, m
+    rotates: bool = False  # True if the pins turn in their supports
+    pin_tensile_strength: float | None = None  # Pa
+    pin_steel: bool = False  # True if the pin material is steel
+    pin_valid_diameter: float | None = None  # largest diameter the strengths hold for, m
+    seat_stiffness: float = math.inf  # stiffness of a pin's bore with the housing, N/m
+    sleeve_bore_radius: float = 0.0  # sleeves on the pins, m; 0 without sleeves
+    rolling: bool = False  # True if rolling elements carry the sleeves
+    tool_radius: float | None = None  # tool that grinds or cuts the flanks, m
+    every_second_pin: bool = False  # True if every second pin is left out
+    ring_class: RingClass | None = None  # manufacturing class, for usual values
 
     @property
     def of_ring(self) -> ElasticMaterial | None:
-        """Material of the pins."""
+        """Material of the ring pins."""
         return self.pin_material
 
     @property
     def of_satellites(self) -> ElasticMaterial | None:
-        """Material of the discs, where it is given here."""
+        """Material of the discs if the ring section states it."""
         return self.disc_material
 
     @property
     def rolls(self) -> bool:
-        """Whether discs roll on sleeves or rolling elements of the ring's pins."""
+        """True if discs roll on sleeves or rolling elements of the ring pins."""
         return self.rolling or self.sleeve_bore_radius > 0
 
     @property
     def changed(self) -> Modification:
-        """The modification; none where nothing is known of it."""
+        """Modification of the discs; a modification of zero if it is not known."""
         return self.modification or Modification()
 
     @property
     def law(self) -> ContactLaw:
-        """The law of contact of the teeth: Hertz's where none is stated."""
+        """Contact law of disc and ring pin; Hertz's if none is stated."""
         return self.contact_law or HertzLaw()
 
     @property
     def known_pin_radius(self) -> float:
-        """Radius of the pins, which has to be given, m."""
+        """Radius of the ring pins, m; `NotKnown` if it is not given."""
         return required(self.ring_pin_radius, "size_missing", "gear.ring_pin_radius")
 
     @property
     def known_pin_material(self) -> ElasticMaterial:
-        """Material of the pins, which has to be given."""
+        """Material of the ring pins; `NotKnown` if it is not given."""
         return required(self.pin_material, "section_missing", "gear.pin_material")
 
     @property
     def bent_pin(self) -> DesignPin:
-        """The pins as they bend, inside their sleeves; not at all in seats."""
+        """Ring pin that bends, inside its sleeve if it has one; `NotKnown` for pins in seats."""
         if self.pin_support == "seat":
             raise NotKnown("pins_in_seats")
         inner = self.sleeve_bore_radius or self.known_pin_radius
@@ -207,29 +163,13 @@ class CycloidRing(AnyRing):
 
     @property
     def friction(self) -> RingFriction:
-        """What slides on the pins, where the coefficient is known."""
+        """Sliding contact on the ring pins; `NotKnown` without a friction coefficient."""
         return RingFriction(self.known_friction, self.sleeve_bore_radius, self.rolling)
 
     def disc(self, *, satellite_teeth: int, eccentricity: float) -> CycloidDisc:
-        """A disc, as far as its modification is known.
+        """Cycloid disc with the known modification; eccentricity in m.
 
-        Parameters
-        ----------
-        satellite_teeth : int
-            Its lobes.
-        eccentricity : float
-            Eccentricity of the cranks, m.
-
-        Returns
-        -------
-        CycloidDisc
-
-        Raises
-        ------
-        NotKnown
-            If the size of the pins is not given.
-        InvalidInput
-            If there is no such disc.
+        Raises NotKnown without a ring pin radius, InvalidInput if no disc of these sizes exists.
         """
         return CycloidDisc(
             satellite_teeth=satellite_teeth,
@@ -240,25 +180,7 @@ class CycloidRing(AnyRing):
         )
 
     def cycloid_mesh(self, *, disc: CycloidDisc, **made: Any) -> CycloidMesh:
-        """Such discs on the pins.
-
-        Parameters
-        ----------
-        disc : CycloidDisc
-            All of them.
-        **made
-            Their cranks, width and material, law, deviations, geometry, shares: see
-            `core.ring.sharing.CycloidMesh`.
-
-        Returns
-        -------
-        CycloidMesh
-
-        Raises
-        ------
-        InvalidInput
-            If an input is out of range.
-        """
+        """Mesh of discs and ring pins; `made` has more arguments of `CycloidMesh`."""
         return CycloidMesh(
             disc=disc,
             pin_material=self.known_pin_material,
@@ -268,21 +190,8 @@ class CycloidRing(AnyRing):
         )
 
     def roots(self, *, ratio: float, eccentricity: float | None) -> tuple[float, float]:
-        """Between which radii the roots of a disc lie: ``R_m - e - r_m``, what its tool sweeps,
-        that of the ring's pins where no modification is known, or within ``R_m - e`` where their
-        radius is not.
-
-        Parameters
-        ----------
-        ratio : float
-            Ratio u.
-        eccentricity : float or None
-            Eccentricity of the cranks, m.
-
-        Returns
-        -------
-        tuple of float
-            Least and largest radius, m; 0 where the least is not known.
+        """Least and largest root radius of a disc, m: both ``R_m - e - r_m`` swept by its tool; 0
+        and ``R_m - e`` if the pin radius or the eccentricity (e = 0 then) is not known.
         """
         swept = self.ring_pin_circle_radius + self.changed.pin_circle - (eccentricity or 0.0)
         if self.ring_pin_radius is None or eccentricity is None:
@@ -291,24 +200,7 @@ class CycloidRing(AnyRing):
         return root, root
 
     def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
-        """The force of the pins on a satellite.
-
-        Parameters
-        ----------
-        eccentricity : float
-            Eccentricity of the cranks, m.
-        ratio : float
-            Ratio u.
-
-        Returns
-        -------
-        RingMesh
-
-        Raises
-        ------
-        InvalidInput
-            If there are no such discs.
-        """
+        """Force of the ring pins on a satellite; eccentricity in m."""
         return cycloid_mesh(
             eccentricity=eccentricity,
             ratio=ratio,
@@ -319,44 +211,28 @@ class CycloidRing(AnyRing):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InvoluteRing(AnyRing):
-    """Involute teeth of ring and satellites, as far as they are given.
+    """Involute teeth of ring and satellites, as far as given; profile shifts point outwards."""
 
-    Attributes
-    ----------
-    satellite_profile_shift, ring_profile_shift : float or None
-        Outwards, in modules.
-    satellite_addendum, ring_addendum : float or None
-        Addenda, in modules.
-    satellite_tip_radius, ring_tip_radius : float or None
-        Radii of the tips in place of these, m.
-    dedendum, rack_tip_radius : float, float or None
-        Of the hob that makes the satellite, in modules.
-    cutter_teeth : int or None
-        Of the shaper cutter that makes the ring; None where nothing is known of it.
-    cutter_profile_shift, cutter_addendum : float
-        Of that cutter, in modules.
-    """
-
-    kind: Literal["involute"] = "involute"  # teeth
+    kind: Literal["involute"] = "involute"  # kind of teeth
     module: float  # m, m
     teeth_difference: int  # z_d
     reference_pressure_angle: float  # alpha, rad
-    satellite_profile_shift: float | None = None
-    ring_profile_shift: float | None = None
-    satellite_addendum: float | None = None
-    ring_addendum: float | None = None
-    satellite_tip_radius: float | None = None
-    ring_tip_radius: float | None = None
-    dedendum: float = DEDENDUM
-    rack_tip_radius: float | None = None
-    cutter_teeth: int | None = None
-    cutter_profile_shift: float = 0.0
-    cutter_addendum: float = DEDENDUM
-    satellite_material: ElasticMaterial | None = None  # of the satellites' teeth
-    ring_material: ElasticMaterial | None = None  # of the ring's
+    satellite_profile_shift: float | None = None  # in modules
+    ring_profile_shift: float | None = None  # in modules
+    satellite_addendum: float | None = None  # in modules
+    ring_addendum: float | None = None  # in modules
+    satellite_tip_radius: float | None = None  # replaces the addendum, m
+    ring_tip_radius: float | None = None  # replaces the addendum, m
+    dedendum: float = DEDENDUM  # hob that cuts the satellite, in modules
+    rack_tip_radius: float | None = None  # tip radius of the hob, in modules
+    cutter_teeth: int | None = None  # teeth of the ring's shaper cutter; None: not known
+    cutter_profile_shift: float = 0.0  # in modules
+    cutter_addendum: float = DEDENDUM  # in modules
+    satellite_material: ElasticMaterial | None = None  # None: material of the holes
+    ring_material: ElasticMaterial | None = None  # material of the ring's teeth
     face_load_factor: float = 1.0  # on the force for stresses along the width
-    pair_stiffness: float | None = None  # of a pair of teeth along the line of action, N/m
-    root_strength: float | None = None  # what a satellite's root bears over the life, Pa
+    pair_stiffness: float | None = None  # stiffness of a tooth pair along the line of action, N/m
+    root_strength: float | None = None  # allowable root stress of a satellite over the life, Pa
 
     @property
     def of_ring(self) -> ElasticMaterial | None:
@@ -365,12 +241,12 @@ class InvoluteRing(AnyRing):
 
     @property
     def of_satellites(self) -> ElasticMaterial | None:
-        """Material of the satellites' teeth, where it is given here."""
+        """Material of the satellites' teeth if the ring section states it."""
         return self.satellite_material
 
     @property
     def unknown_teeth(self) -> tuple[str, ...]:
-        """What is not given of involute teeth, of which how they mesh hangs: paths of a design."""
+        """Paths of the fields that determine the mesh of involute teeth and are not given."""
         ways = {
             "gear.satellite_profile_shift": (self.satellite_profile_shift,),
             "gear.ring_profile_shift": (self.ring_profile_shift,),
@@ -381,7 +257,7 @@ class InvoluteRing(AnyRing):
 
     @property
     def rack(self) -> Rack:
-        """The hob that makes the satellite."""
+        """Hob that cuts the satellite."""
         return rack_of(
             pressure_angle=self.reference_pressure_angle,
             dedendum=self.dedendum,
@@ -389,21 +265,10 @@ class InvoluteRing(AnyRing):
         )
 
     def involute_teeth(self, *, satellite_teeth: int, ring_teeth: int) -> InvoluteTeeth:
-        """Involute teeth of which all is given.
+        """Involute teeth of satellite and ring, for which all fields have to be given.
 
-        Parameters
-        ----------
-        satellite_teeth, ring_teeth : int
-            Their numbers.
-
-        Returns
-        -------
-        InvoluteTeeth
-
-        Raises
-        ------
-        InvalidInput
-            If there is no such rack, or an addendum is none of `core.ring.involute.HEIGHTS`.
+        Raises InvalidInput if the rack cannot exist or an addendum is out of
+        `core.ring.involute.HEIGHTS`.
         """
         module, rack = self.module, self.rack
         shifts = {body: getattr(self, f"{body}_profile_shift") for body in ("satellite", "ring")}
@@ -443,20 +308,8 @@ class InvoluteRing(AnyRing):
         )
 
     def roots(self, *, ratio: float, eccentricity: float | None) -> tuple[float, float]:
-        """Between which radii the roots of a satellite's teeth lie: ``m*(z2/2 - h_f + x)``, with a
-        profile shift x that is taken to be from 0 to h_f where it is not known.
-
-        Parameters
-        ----------
-        ratio : float
-            Ratio u.
-        eccentricity : float or None
-            Eccentricity of the cranks, m.
-
-        Returns
-        -------
-        tuple of float
-            Least and largest radius, m.
+        """Least and largest root radius of a satellite's teeth, m: ``m*(z2/2 - h_f + x)``. An
+        unknown profile shift x is taken between 0 and h_f.
 
         Examples
         --------
@@ -472,24 +325,7 @@ class InvoluteRing(AnyRing):
         return root, root
 
     def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
-        """The force of the ring's teeth on a satellite.
-
-        Parameters
-        ----------
-        eccentricity : float
-            Eccentricity of the cranks, m.
-        ratio : float
-            Ratio u.
-
-        Returns
-        -------
-        RingMesh
-
-        Raises
-        ------
-        InvalidInput
-            If there are no such teeth.
-        """
+        """Force of the ring's teeth on a satellite; eccentricity in m."""
         return involute_mesh(
             module=self.module,
             teeth_difference=self.teeth_difference,
@@ -499,4 +335,4 @@ class InvoluteRing(AnyRing):
 
 
 Ring = InvoluteRing | CycloidRing | OtherRing
-"""Teeth or pins of the ring, or the ratio of its forces itself."""
+"""Ring with involute teeth, with pins, or described by the ratio of its forces alone."""

@@ -1,6 +1,4 @@
-"""What follows from a design about its ring, the mesh of satellites with its pins or teeth: each
-result worked out when it is asked for, once, or why it is not known.
-"""
+"""Results about the ring: the mesh of satellites with ring pins or ring teeth."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -31,24 +29,18 @@ from core.ring.sharing import NORMALS, CycloidMesh, MeshTurn, mesh_over_turn
 Calculated = TypeVar("Calculated")
 
 MOST_RING_PAIRS = 300
-"""Most pairs of discs and pins of a ring over the turn."""
+"""Largest number of pairs of disc and ring pin that is solved over the turn."""
 
 
 class RingResults:
-    """What follows from a design about its ring; SI units. What is not known raises `NotKnown`.
-
-    Parameters
-    ----------
-    output : OutputForces
-        The design and the forces on the pins of its output.
-    """
+    """Results of a design about its ring in SI units; `output` has the forces on output pins."""
 
     def __init__(self, output: OutputForces) -> None:
         self.design, self.output = output.design, output
 
     @derived
     def force(self) -> RingMesh:
-        """The ring's force on a satellite."""
+        """Force of the ring on a satellite."""
         gear = self.design.gear
         if not gear:
             raise NotKnown("section_missing", "gear")
@@ -61,9 +53,7 @@ class RingResults:
 
     @derived
     def on_crank(self) -> RingMesh:
-        """The ring's force on a satellite as its bearing feels it: of forces that are solved the
-        mean of its mesh, where that is solved too.
-        """
+        """Force of the ring on a satellite for its bearing; the mean of a solved mesh if known."""
         force, alone = self.force, self.output.solved and not self.output.in_series
         if not (alone and (turns := if_known(lambda: self.working))):
             return force
@@ -72,8 +62,8 @@ class RingResults:
 
     @derived
     def mesh(self) -> CycloidMesh:
-        """Cycloid discs on the pins of their ring as they are made, where their modification is
-        known. All discs have one lag, or given shares of the torque.
+        """Mesh of cycloid discs of known modification with the ring pins as they are made. All
+        discs have one lag, or stated shares of the torque.
         """
         design, gear = self.design, self.design.cycloid
         required(gear.modification, "modification_unknown", "gear.modification")
@@ -106,11 +96,11 @@ class RingResults:
 
     @derived
     def pair(self) -> InvolutePair:
-        """A satellite of involute teeth in its ring, where its shifts and heights are known."""
+        """Mesh of involute satellite and ring, with known profile shifts and tooth heights."""
         design, gear = self.design, self.design.involute
         if gear.unknown_teeth:
             raise NotKnown("teeth_not_judged", *gear.unknown_teeth)
-        eccentricity, _ = design.known_eccentricity, self.force  # which refuses base circles
+        eccentricity, _ = design.known_eccentricity, self.force  # `force` refuses base circles
         low, high = STANDARD_ANGLES
         usual = low <= gear.reference_pressure_angle <= high
         if gear.teeth_difference > MOST_DIFFERENCE or not usual:
@@ -124,8 +114,8 @@ class RingResults:
         )
 
     def satellite_torque(self, factor: float) -> float:
-        """Largest torque of a satellite over the turn under so many times the torque, over that
-        factor, N*m: its couple with the pins is that with an involute ring.
+        """Largest torque of a satellite over the turn under a factor on the torque, divided by the
+        factor, N*m. The satellite has an equal couple with the pins and with an involute ring.
         """
         design = self.design
         if not self.output.solved:
@@ -135,7 +125,7 @@ class RingResults:
         return max(float(abs(self.output.made(way * torque).couple).max()) for way in ways) / factor
 
     def loaded_teeth(self, factor: float) -> dict[str, Any]:
-        """What involute teeth carry under so many times the torque, as arguments."""
+        """Arguments for the load of involute teeth under a factor on the torque."""
         design, gear = self.design, self.design.involute
         return {
             "torque": self.satellite_torque(factor),
@@ -146,7 +136,7 @@ class RingResults:
         }
 
     def involute_load(self, factor: float) -> InvoluteLoad:
-        """Forces and pressures of involute teeth under so many times the torque."""
+        """Forces and pressures of involute teeth under a factor on the torque."""
         pair, loaded = self.pair, self.loaded_teeth(factor)
         for body in ("satellite", "ring"):
             required(loaded[f"{body}_material"], "limit_unknown", f"gear.{body}_material")
@@ -154,13 +144,13 @@ class RingResults:
 
     @derived
     def root_stress(self) -> RootStress:
-        """Bending of the roots of satellites' involute teeth under the dynamic load."""
+        """Bending stress at the tooth roots of involute satellites under the dynamic load."""
         pair, loaded = self.pair, self.loaded_teeth(self.design.load_factor)
         forces = {name: loaded[name] for name in ("torque", "contact_length", "load_factor")}
         return self._of_ring(lambda: tooth_root(pair=pair, **forces))
 
     def _of_ring(self, calculation: Callable[[], Calculated]) -> Calculated:
-        """A result about the ring; what it refuses is not known of the design."""
+        """Result of a calculation about the ring; a refusal becomes `NotKnown`."""
         try:
             return named(self.design, "gear", calculation)
         except InvalidInput as refusal:
@@ -168,9 +158,7 @@ class RingResults:
 
     @cached_property
     def turn(self) -> Callable[[float], MeshTurn]:
-        """These over the turn, of a torque on the pins, N*m, negative in reverse; where both meshes
-        are in series, as they work in that.
-        """
+        """Ring mesh over the turn, as a function of the torque on the pins, N*m."""
 
         def turn(torque: float) -> MeshTurn:
             if self.output.in_series:
@@ -182,41 +170,39 @@ class RingResults:
     def _teeth_in_series(self, torque: float) -> MeshTurn:
         over = self.output.over_turn(torque)
         assert isinstance(over, SeriesOverTurn)
-        assert over.turn.coarse  # refuses what cannot be
+        assert over.turn.coarse  # refuses impossible mechanisms
         return TeethInSeries(over)
 
     def turns(self, torque: float) -> list[MeshTurn]:
-        """The same in each direction of the torque, N*m, that of the larger pressure first."""
+        """Ring mesh in each direction of the torque, N*m; the larger pressure comes first."""
         ways = WAYS[self.design.load.torque_direction]
         turns = [self.turn(way * torque) for way in ways]
         return sorted(turns, key=lambda turn: turn.max_pressure, reverse=len(ways) > 1)
 
     @derived
     def working(self) -> list[MeshTurn]:
-        """The same under the torque without its factor."""
+        """Ring mesh under the working torque in each direction; the larger pressure comes first."""
         return self.turns(self.design.pin_torque)
 
     @derived
     def loading(self) -> MeshTurn:
-        """The mesh whose pressure is judged: under the dynamic load, of the satellite with most of
-        it where an uneven share is stated.
-        """
+        """Ring mesh of the most loaded satellite under the dynamic load, in the worse direction."""
         factor = self.design.load_factor * self.design.ring_factor
         return self.turns(self.design.pin_torque * factor)[0]
 
     @derived
     def static(self) -> MeshTurn:
-        """The same under the torque of static strength."""
+        """Ring mesh under the torque for static strength, in the worse direction."""
         return self.turns(self.design.static_torque * self.design.ring_factor)[0]
 
     def teeth_strength(self, body: RingBody) -> float:
-        """Strength of plastic teeth, or pins of a ring, in the direction that is loaded, Pa."""
+        """Strength of plastic teeth or ring pins in the direction of their load, Pa."""
         own: Body = "pin" if body == "pin" and self.design.gear.kind == "cycloid" else "hole"
         material = self.design.plastic_teeth[body]
         return material.known_strength(own, self.design.teeth_path(body))
 
     def cold_limit(self, body: RingBody, *, most: bool = False) -> float:
-        """Least pressure at which they may yield at once, Pa, or one at which they do for sure."""
+        """Pressure at which plastic teeth may yield at once, Pa; with `most` certainly yield."""
         material, design = self.design.plastic_teeth[body], self.design
         if most:
             return material.most_pressure(if_known(lambda: design.teeth_friction.low))
@@ -225,17 +211,17 @@ class RingResults:
 
     @property
     def pin(self) -> DesignPin:
-        """A pin of the ring that bends."""
+        """Ring pin that bends."""
         return self.design.cycloid.bent_pin
 
     @cached_property
     def on_pins(self) -> Callable[[float], PinForces]:
-        """Forces of the discs on the pins over the turn, of a torque likewise."""
+        """Forces on the ring pins over the turn, as a function of the torque, N*m."""
         return cache(lambda torque: forces_on_ring(self.turn(torque)))
 
     @derived
     def pin_stresses(self) -> PinStresses:
-        """Stresses of the pins of the ring that bend, under the dynamic load."""
+        """Stresses of bending ring pins under the dynamic load."""
         design, mesh, pin = self.design, self.mesh, self.pin
         return self._of_ring(
             lambda: pin_stresses(
@@ -257,12 +243,12 @@ class RingResults:
 
     @derived
     def pin_fatigue_strength(self) -> FatigueStrength:
-        """What their fatigue is judged by."""
+        """Fatigue strength of the ring pins."""
         return fatigue_of(design=self.design, pin=self.pin, loads=self.design.turns_over)
 
     @derived
     def pin_strength(self) -> PinStrength:
-        """Their strength, with the fatigue where it is known."""
+        """Strength of the ring pins, with fatigue if it is known."""
         return self.pin_stresses.strength(
             rotates=self.design.cycloid.rotates,
             fatigue=if_known(lambda: self.pin_fatigue_strength),
@@ -270,11 +256,11 @@ class RingResults:
 
     @property
     def _friction(self) -> RingFriction:
-        """What slides on the ring."""
+        """Sliding contact of the ring with its friction coefficient."""
         return self.design.gear.friction
 
     def _losses(self, torque: float) -> list[RingLoss]:
-        """Friction of cycloid discs on the pins in each direction of a torque, N*m."""
+        """Friction losses of cycloid discs on the ring pins in each direction of a torque, N*m."""
         friction, speed = self._friction, self.design.turning_speed
         return [
             self._of_ring(
@@ -285,7 +271,7 @@ class RingResults:
 
     @derived
     def loss(self) -> RingLoss:
-        """Friction in the ring under the torque: on its pins in the direction that loses more."""
+        """Friction loss in the ring under the working torque; for pins in the worse direction."""
         torque, friction = self.design.pin_torque, self._friction
         if self.design.gear.kind == "involute":
             return involute_loss(
@@ -298,8 +284,6 @@ class RingResults:
 
     @derived
     def pv(self) -> float:
-        """Largest product of pressure and sliding speed on the pins of the ring, Pa*m/s, of the
-        satellite with most of the torque where an uneven share is stated, in either direction.
-        """
+        """Largest pressure times sliding speed on the ring pins, Pa*m/s, in the worse direction."""
         found = self._losses(self.design.pin_torque * self.design.ring_factor)
         return max(each.peak_pv for each in found)

@@ -1,6 +1,4 @@
-"""Sections of the design document in SI units: mechanism, load, contact, pin, fatigue, friction,
-bearings, crankshaft, body of the satellite, requirements.
-"""
+"""Sections of the design document in SI units, without the ring."""
 
 import math
 from dataclasses import dataclass, replace
@@ -33,7 +31,8 @@ from core.output.sampled_turn import Direction
 from core.precision import SAME
 
 SharedBy = Literal["discs", "pins"]
-"""Whose uneven share a distribution factor states: of satellites, or of the pairs of one."""
+"""Origin of an uneven share that a load-sharing factor states: satellites ("discs"), or pins of one
+satellite."""
 
 PeakKind = Literal["start", "emergency"]
 
@@ -44,7 +43,7 @@ PartName = Literal[
 ]
 
 PART_NAMES: tuple[PartName, ...] = get_args(PartName)
-"""Parts of a reducer: `PARTS` of `core.checks.crank_planetary`."""
+"""Parts of a reducer, keys of `PARTS` in `core.checks.crank_planetary`."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,48 +52,38 @@ class MechanismSection:
 
     pins: int  # N
     satellites: int  # K
-    ratio: float  # u; infinite of a coupling
+    ratio: float  # u; infinite for a coupling
     output: Output = "pins"
-    crank_spacing: float | None = None  # between neighbours, rad; None for an even spacing
-    crank_angles: tuple[float, ...] = ()  # of each crank, rad, instead of a spacing
+    crank_spacing: float | None = None  # between neighbouring cranks, rad; None: even spacing
+    crank_angles: tuple[float, ...] = ()  # angle of each crank, rad, in place of a spacing
     initial_crank_angle: float = 0.0  # wave angle at crank angle 0, rad
     satellite_teeth: int | None = None  # z2
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Load:
-    """Torque of the output, its direction, its lever, and the speeds.
+    """Torque of the output with its direction, lever and speeds."""
 
-    Attributes
-    ----------
-    torque_direction : {"driving", "reverse", "alternating"}
-        Direction of the torque; of both the worse is judged.
-    application_factor : float or None
-        Factor on the torque for stresses; that of the contact where not given.
-    peak_torque : float or None
-        Largest torque, for static strength, N*m, at least the torque times its factor; that where
-        not given.
-    """
-
-    output_torque: float  # of the output, where both are it on the pins, N*m
+    output_torque: float  # output torque, N*m; torque of the pins if pins and ring are both outputs
     pin_circle_radius: float  # R, m
-    force_exponent: float = 1.0  # v, of the force over the approach
-    torque_direction: Direction = "driving"
-    input_speed: float | None = None  # of the crank, rad/s
-    application_factor: float | None = None
-    peak_torque: float | None = None
-    peak_kind: PeakKind = "start"  # at which the peak torque acts
-    ring_speed: float | None = None  # where both are the output, in the sense of the crank, rad/s
-    carrier_speed: float | None = None  # the same of the pins, instead, rad/s
+    force_exponent: float = 1.0  # v, exponent of the approach in the force
+    torque_direction: Direction = "driving"  # "alternating" judges the worse direction
+    input_speed: float | None = None  # speed of the crank, rad/s
+    application_factor: float | None = None  # K_A on stresses; None: that of the contact
+    peak_torque: float | None = None  # for static strength, N*m; None: torque times K_A
+    peak_kind: PeakKind = "start"  # event at which the peak torque acts
+    # Speed of the ring if pins and ring are both outputs, positive as the crank turns, rad/s.
+    ring_speed: float | None = None
+    carrier_speed: float | None = None  # speed of the pins, given in place of the ring's, rad/s
 
     @property
     def by_ring(self) -> bool:
-        """Whether the speed of the ring is given, not that of the pins."""
+        """True if the speed of the ring is given, not that of the pins."""
         return self.ring_speed is not None
 
 
 class PairSizes(NamedTuple):
-    """Sizes of a pair of pin and hole that touch, m."""
+    """Sizes of a pair of pin and hole, m."""
 
     contact_length: float  # b
     pin_radius: float  # r_in
@@ -103,154 +92,95 @@ class PairSizes(NamedTuple):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Contact:
-    """Pin and hole, the crank between them, and their materials; of the crank alone no pins."""
+    """Pin, hole and eccentricity with their materials; pins are left out for a crank alone."""
 
     contact_length: float | None = None  # b, m
     pin_radius: float | None = None  # r_in, m
     hole_radius: float | None = None  # r_out, m
     eccentricity: float | None = None  # e, m
-    pin_material: ElasticMaterial | None = None  # that of the pin's surface, or of its sleeve
-    hole_material: ElasticMaterial | None = None  # that of the satellite
-    dynamic_factor: float = 1.0  # on the force, where the load has no application factor
-    distribution_factor: float = 1.0  # K_alpha, on the largest force by an uneven share
-    distribution_of: SharedBy | None = None  # whose share; None: discs where there are several
-    clearance_stated: bool = False  # whether one of 0 is: else a hole of just pin and e says none
-    iso_fit: str = ""  # the classes that the clearance is of, as H7/f7; empty where it is a number
+    pin_material: ElasticMaterial | None = None  # material of the pin's surface, or of its sleeve
+    hole_material: ElasticMaterial | None = None  # material of the satellite
+    dynamic_factor: float = 1.0  # on the force if the load has no application factor
+    distribution_factor: float = 1.0  # K_alpha, load-sharing factor on the largest force
+    distribution_of: SharedBy | None = None  # origin of that factor; None: discs if several
+    clearance_stated: bool = False  # True if a clearance is stated, which may be 0
+    iso_fit: str = ""  # fit of the clearance, such as H7/f7; empty if stated as a number
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SatelliteBody:
-    """The body of a satellite, as far as it is given: radii, m."""
+    """Body of a satellite, as far as it is given: radii, m."""
 
-    outer_radius: float | None = None  # r_o, with its teeth
-    root_radius: float | None = None  # r_f, of its teeth
+    outer_radius: float | None = None  # r_o, tips of the teeth
+    root_radius: float | None = None  # r_f, roots of the teeth
     bore_radius: float | None = None  # r_b
-    solid_wall: float | None = None  # of a printed one, behind the surface of its holes
+    solid_wall: float | None = None  # solid wall of a printed disc around its holes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Temperatures:
     """Temperatures of parts at work, as far as they are given, degrees Celsius."""
 
-    satellite: float | None = None  # of the satellites
-    pins: float | None = None  # of the pins
+    satellite: float | None = None  # temperature of the satellites
+    pins: float | None = None  # temperature of the pins
 
 
 USUAL_LIFE = 5000 * 3600.0
-"""Life that is required where none is given, s; of plastics a tenth."""
+"""Required life if none is given, s; a tenth of it for plastics."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Requirements:
-    """What a design has to keep; what is None is not asked.
+    """Limits that a design has to keep; a limit of None is not checked."""
 
-    Attributes
-    ----------
-    scope : tuple of str
-        Parts of the reducer that are judged.
-    pitting_safety : float
-        Required safety against pitting, of the pressure.
-    bending_safety, fatigue_safety : float
-        Required safety of the pins against yield, and in fatigue.
-    static_safety : float or None
-        Required safety of bearings against their static rating; `STATIC_SAFETY` of their kind where
-        not given.
-    life : float
-        Required life, s; infinite where none is asked, `USUAL_LIFE` where it is not given, a tenth
-        of it where a body is of plastic.
-    min_efficiency, min_ring_efficiency : float or None
-        Least efficiency of the output mechanism, and of the teeth alone.
-    max_seat_pressure : float or None
-        Largest pressure of the ring's pins in their seats, on the area that they cover, Pa.
-    max_unbalance, max_unbalance_couple : float or None
-        Largest force, N, and couple, N*m, of what turns with the crankshaft.
-    max_unbalance_share : float or None
-        Largest force of it on a bearing of the crankshaft over the load of the mechanism there.
-    balance_grade : float or None
-        Largest speed of the centre of what turns about the axis, m/s.
-    """
-
-    scope: tuple[PartName, ...] = PART_NAMES
-    pitting_safety: float = 1.2
-    bending_safety: float = 1.5
-    fatigue_safety: float = 1.5
-    static_safety: float | None = None
-    life: float | None = None  # s; None: usual
+    scope: tuple[PartName, ...] = PART_NAMES  # parts of the reducer that are judged
+    pitting_safety: float = 1.2  # safety of the contact pressure
+    bending_safety: float = 1.5  # safety of the pins against yield
+    fatigue_safety: float = 1.5  # safety of the pins in fatigue
+    static_safety: float | None = None  # safety of bearings; None: `STATIC_SAFETY` of their kind
+    life: float | None = None  # s; infinite if not checked; None: `USUAL_LIFE`, for plastics 1/10
     min_wall: float | None = None  # m
     max_backlash: float | None = None  # rad
     max_lost_motion: float | None = None  # rad
-    max_ring_backlash: float | None = None  # of the teeth alone, rad
-    max_transmission_error: float | None = None  # of the teeth alone, rad
-    max_deflection: float | None = None  # of the pins, m
-    max_slope: float | None = None  # of the pins, rad
-    min_efficiency: float | None = None
-    min_ring_efficiency: float | None = None
-    max_seat_pressure: float | None = None
+    max_ring_backlash: float | None = None  # backlash of the teeth alone, rad
+    max_transmission_error: float | None = None  # transmission error of the teeth alone, rad
+    max_deflection: float | None = None  # deflection of the pins, m
+    max_slope: float | None = None  # slope of the pins, rad
+    min_efficiency: float | None = None  # efficiency of the output mechanism
+    min_ring_efficiency: float | None = None  # efficiency of the teeth alone
+    max_seat_pressure: float | None = None  # pressure of ring pins on the area of their seats, Pa
     max_wear: float | None = None  # depth, m
     max_pv: float | None = None  # pressure times speed, Pa*m/s
     max_sliding_speed: float | None = None  # m/s
-    max_outer_diameter: float | None = None  # of the reducer, m
-    max_unbalance: float | None = None
-    max_unbalance_couple: float | None = None
-    max_unbalance_share: float | None = None
-    balance_grade: float | None = None
+    max_outer_diameter: float | None = None  # outer diameter of the reducer, m
+    max_unbalance: float | None = None  # force of all parts that turn with the crankshaft, N
+    max_unbalance_couple: float | None = None  # couple of the parts that turn with it, N*m
+    max_unbalance_share: float | None = None  # on a crankshaft bearing, over its working load
+    balance_grade: float | None = None  # speed of the centre of mass about the axis, m/s
 
 
 @dataclass(frozen=True, slots=True)
 class DesignPin(PinSupport):
-    """A pin as it bends and breaks.
+    """Pin with its support, section and strength; see `core.output.elasticity.PinSupport`."""
 
-    Attributes
-    ----------
-    support : {"cantilever", "supported", "fixed", "tie_ring"}
-        Held at one end, simply supported at both, clamped at both, at one with a tie ring that
-        joins the others.
-    diameter : float
-        Diameter d of the pin itself, m.
-    satellite_positions : tuple of float
-        Distance z_j of the middle of each satellite from the support, m; none where it is rigid.
-    material : ElasticMaterial
-        The pin's material, with its yield strength.
-    span : float or None
-        Distance L of the supports, or of the tie ring from the carrier, m.
-    bore_diameter : float
-        Diameter d_i of its bore, m; 0 of a solid pin.
-    ring_joint : {"pinned", "clamped"}
-        Of a tie ring to the pins.
-    contact_length : float or None
-        Length of the contact along it, m; that of the contact where not given.
-    rotates : bool
-        Whether it turns in the carrier.
-    tensile_strength : float or None
-        Of its material, Pa; the yield strength is the material's own.
-    steel : bool
-        Whether that is a steel, for which there is a rule of the endurance limit.
-    valid_diameter : float or None
-        Largest diameter that these strengths hold for, m.
-    bolt : PinBolt or None
-        The bolt through the pin, which is its spacer then.
-    material_path : str
-        Where its material stands in the design.
-    """
-
-    contact_length: float | None = None
-    rotates: bool = False
-    tensile_strength: float | None = None
-    steel: bool = False
-    valid_diameter: float | None = None
-    bolt: PinBolt | None = None
-    material_path: str = "pin.material"
+    contact_length: float | None = None  # along the pin, m; None: that of the contact
+    rotates: bool = False  # True if the pin turns in the carrier
+    tensile_strength: float | None = None  # tensile strength of the material, Pa
+    steel: bool = False  # True if a rule of the endurance limit exists for the material
+    valid_diameter: float | None = None  # largest diameter that the strengths hold for, m
+    bolt: PinBolt | None = None  # bolt through the pin, which is a spacer then
+    material_path: str = "pin.material"  # path of the material in the design
 
     @property
     def thick(self) -> tuple[Notice, ...]:
-        """That it is thicker than its material's strengths hold for, where it is."""
+        """Notice if the pin is thicker than the strengths of its material hold for."""
         valid = self.valid_diameter
         if valid is None or self.diameter <= valid:
             return ()
         return (Notice("beyond_size", {"limit": valid * 1e3}),)
 
     def bolt_alone(self, bolt: PinBolt) -> "DesignPin":
-        """The bolt as the pin: the spacer is only what touches the hole."""
+        """Bolt as the pin that bends; the spacer only touches the hole."""
         alone = replace(self, diameter=bolt.core_diameter, bore_diameter=0.0, bolt=None)
         if bolt.material is None:
             return alone
@@ -265,64 +195,29 @@ class DesignPin(PinSupport):
 
 
 USUAL_RELIABILITY = 50.0
-"""Reliability of a pin's fatigue strength where none is given, %."""
+"""Reliability of a pin's fatigue strength if none is given, %."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FatigueBasis:
-    """What the fatigue of a pin is judged by, as far as it is given.
+    """Factors and criterion of the fatigue strength of a pin, as far as they are given."""
 
-    Attributes
-    ----------
-    surface : {"ground", "machined", "hot_rolled", "forged"} or None
-        How the surface was made.
-    surface_factor : float or None
-        Its factor instead.
-    edition : {"shigley_9", "shigley_11"}
-        Whose constants of the surface.
-    reliability_percent, reliability_factor : float or None
-        Reliability, or its factor; 50 % where neither is given.
-    fatigue_notch_factor : float or None
-        Factor Kf of the seat or a notch.
-    notch : tuple of float or None
-        Its theoretical factor Kt and its radius, m, instead.
-    endurance_limit : float or None
-        Endurance limit Se, Pa, all factors in it.
-    criterion : {"goodman", "gerber", "soderberg", "fkm_haigh"}
-        How the mean stress counts.
-    life : float or None
-        Time that the part has to last, s; the required life where not given.
-    """
-
-    surface: Surface | None = None
-    surface_factor: float | None = None
-    edition: Edition = "shigley_11"
-    reliability_percent: float | None = None
-    reliability_factor: float | None = None
-    fatigue_notch_factor: float | None = None
-    notch: tuple[float, float] | None = None
-    endurance_limit: float | None = None
-    criterion: Criterion = "goodman"
-    life: float | None = None
+    surface: Surface | None = None  # manufacture of the surface
+    surface_factor: float | None = None  # in place of `surface`
+    edition: Edition = "shigley_11"  # source of the constants of the surface
+    reliability_percent: float | None = None  # None: 50
+    reliability_factor: float | None = None  # in place of the reliability
+    fatigue_notch_factor: float | None = None  # Kf of the seat or a notch
+    notch: tuple[float, float] | None = None  # Kt and notch radius, m, in place of Kf
+    endurance_limit: float | None = None  # Se with all factors, Pa
+    criterion: Criterion = "goodman"  # effect of the mean stress
+    life: float | None = None  # s; None: the required life
 
     def strength(self, pin: DesignPin) -> FatigueStrength:
-        """What a pin's fatigue is judged by.
+        """Fatigue strength of a pin.
 
-        Parameters
-        ----------
-        pin : DesignPin
-            The pin; the limit falls with its diameter.
-
-        Returns
-        -------
-        FatigueStrength
-
-        Raises
-        ------
-        InvalidInput
-            If the criterion needs a yield strength that is not known.
-        NotKnown
-            If it needs another value that is not given.
+        Raises NotKnown if a value that it needs is not given, InvalidInput without a yield strength
+        that the criterion needs.
         """
         return self.of(
             diameter=pin.diameter,
@@ -341,29 +236,10 @@ class FatigueBasis:
         steel: bool,
         material_path: str = "pin.material",
     ) -> FatigueStrength:
-        """What the fatigue of a round part is judged by.
+        """Fatigue strength of a round part; diameter in m, strengths in Pa.
 
-        Parameters
-        ----------
-        diameter : float
-            Its diameter, m.
-        tensile_strength, yield_strength : float or None
-            Of its material, Pa.
-        steel : bool
-            Whether that is a steel.
-        material_path : str
-            Where it stands in the design.
-
-        Returns
-        -------
-        FatigueStrength
-
-        Raises
-        ------
-        InvalidInput
-            If the criterion needs a yield strength that is not known.
-        NotKnown
-            If it needs another value that is not given.
+        Raises NotKnown if a value that it needs is not given, InvalidInput without a yield strength
+        that the criterion needs.
         """
         name, yields = f"{material_path}.tensile_strength", yield_strength
         tensile = required(tensile_strength, "endurance_unknown", name)
@@ -406,85 +282,50 @@ class FatigueBasis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Friction:
-    """Friction and wear of pin and hole, or of pin and sleeve.
+    """Friction and wear of pin and hole, or of pin and sleeve."""
 
-    Attributes
-    ----------
-    coefficient : float
-        Friction coefficient, dimensionless.
-    sleeve : bool
-        Whether sleeves roll in the holes.
-    wear_rate : float or None
-        Worn volume over force and distance, m^2/N.
-    life : float or None
-        Time in which it wears, s; the required life where not given.
-    """
-
-    coefficient: float
-    sleeve: bool = False
-    wear_rate: float | None = None
-    life: float | None = None
+    coefficient: float  # friction coefficient
+    sleeve: bool = False  # True if sleeves roll in the holes
+    wear_rate: float | None = None  # worn volume over force and distance, m^2/N
+    life: float | None = None  # time of wear, s; None: the required life
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rollers:
-    """Rolling bearings on the pins, whose outer rings roll in the holes, as catalogues give them.
+    """Rolling bearings on the pins whose outer rings roll in the holes, as catalogues give them."""
 
-    Attributes
-    ----------
-    kind : {"ball", "cylindrical", "needle"}
-        What rolls.
-    ratings : {"bearing", "roller"}
-        What the load ratings are of: a bearing in a rigid seat, or a roller.
-    bore_diameter : float
-        That of the pins, m.
-    outer_diameter : float or None
-        Twice the radius that touches the hole, m.
-    per_satellite : int
-        Rollers side by side under each satellite.
-    radial_clearance : float or None
-        Radial internal clearance, m: an outer ring moves by half of it to either side.
-    """
-
-    kind: RollerKind
-    ratings: Ratings = "bearing"
-    bore_diameter: float  # d
-    outer_diameter: float | None = None  # D
-    width: float = math.inf  # B of one, m; infinite where not given
-    per_satellite: int = 1
+    kind: RollerKind  # kind of rolling elements
+    ratings: Ratings = "bearing"  # load ratings of a bearing in a rigid seat, or of a roller
+    bore_diameter: float  # d, diameter of the pins, m
+    outer_diameter: float | None = None  # D, twice the radius that touches the hole, m
+    width: float = math.inf  # B of one, m; infinite if not given
+    per_satellite: int = 1  # rollers side by side under each satellite
     dynamic_rating: float | None = None  # C of one, N
     static_rating: float | None = None  # C0, N
     rolling_elements: int | None = None  # Z
-    max_radial_load: float = math.inf  # F_r that its maker allows, N; infinite where not given
-    max_static_radial_load: float = math.inf  # F_0r likewise, N
-    radial_clearance: float | None = None  # G_r
+    max_radial_load: float = math.inf  # F_r allowed by the maker, N; infinite if not given
+    max_static_radial_load: float = math.inf  # F_0r allowed, N; infinite if not given
+    # G_r, radial internal clearance, m: an outer ring moves by half of it to either side.
+    radial_clearance: float | None = None
     friction_coefficient: float | None = None  # mu_b, at the bore
-    limiting_speed: float | None = None  # of the outer ring on the pin, rad/s
+    limiting_speed: float | None = None  # speed of the outer ring on the pin, rad/s
 
     @property
     def play(self) -> float:
-        """What an outer ring gives to either side, m."""
+        """Movement of an outer ring to either side, m."""
         return (self.radial_clearance or 0.0) / 2
 
     @property
     def length(self) -> float:
-        """Of all rollers under a satellite, m; infinite where their width is not given."""
+        """Total length of the rollers under a satellite, m; infinite without a given width."""
         return self.per_satellite * self.width
 
     def check(self, *, pin_radius: float | None, pin_diameter: float | None) -> None:
-        """Refuse sizes that contradict each other, and rollers without a ring of their own.
+        """Raise InvalidInput if sizes contradict each other or rollers have no outer ring of their
+        own.
 
-        Parameters
-        ----------
-        pin_radius : float or None
-            Radius of what touches the hole, m.
-        pin_diameter : float or None
-            Of the pins, m.
-
-        Raises
-        ------
-        InvalidInput
-            If they do.
+        `pin_radius` is the radius of the surface that touches the hole, m; `pin_diameter` that of
+        the pin, m.
         """
         outer = self.outer_diameter
         if outer is None and self.kind == "needle" and self.ratings == "bearing":
@@ -503,17 +344,7 @@ class Rollers:
             raise InvalidInput("pin.diameter", pin_diameter, "only_one", field="bore_diameter")
 
     def friction(self, given: "Friction | None") -> "Friction":
-        """Friction of the output: that of the rollers, on their pins.
-
-        Parameters
-        ----------
-        given : Friction or None
-            What is given of it besides.
-
-        Returns
-        -------
-        Friction
-        """
+        """Friction of rollers on their pins; `given` is used if rollers have no coefficient."""
         coefficient = self.friction_coefficient
         if coefficient is None:
             coefficient = given.coefficient if given else FRICTION[self.kind]
@@ -522,53 +353,28 @@ class Rollers:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RollingBearing:
-    """A rolling bearing as its catalogue gives it.
+    """Rolling bearing, as its catalogue gives it."""
 
-    Attributes
-    ----------
-    kind : {"ball", "roller"}
-        Rolling elements.
-    dynamic_rating, static_rating : float or None
-        Basic load ratings C and C0, N.
-    reliability_percent : float
-        Share of bearings that reach the life.
-    ring_factor : float
-        Factor V of the equivalent load.
-    weibull_slope : float or None
-        Slope of the distribution of lives.
-    """
-
-    kind: Bearing
-    dynamic_rating: float | None = None
-    static_rating: float | None = None
-    reliability_percent: float = 90.0
-    ring_factor: float = 1.0
-    weibull_slope: float | None = None
+    kind: Bearing  # kind of rolling elements
+    dynamic_rating: float | None = None  # C, N
+    static_rating: float | None = None  # C0, N
+    reliability_percent: float = 90.0  # share of bearings that reach the life
+    ring_factor: float = 1.0  # factor V of the equivalent load
+    weibull_slope: float | None = None  # slope of the distribution of lives
     bore_diameter: float | None = None  # d, m
     outer_diameter: float | None = None  # D, m
     width: float | None = None  # B, m
-    limiting_speed: float | None = None  # of its rings against each other, rad/s
-    seat: Seat = "housing"  # what one of the crankshaft sits in
+    limiting_speed: float | None = None  # speed of its rings against each other, rad/s
+    seat: Seat = "housing"  # part that holds a crankshaft bearing
 
     @property
     def sizes(self) -> tuple[float, float, float] | tuple[()]:
-        """Bore, outer diameter and width, m; none where they are not all given."""
+        """Bore, outer diameter and width, m; empty unless all are given."""
         bore, outer, width = self.bore_diameter, self.outer_diameter, self.width
         return () if bore is None or outer is None or width is None else (bore, outer, width)
 
     def check_sizes(self, path: str) -> None:
-        """Refuse a bore that is not smaller than the outside.
-
-        Parameters
-        ----------
-        path : str
-            Path of the bearing in its design.
-
-        Raises
-        ------
-        InvalidInput
-            If it is not.
-        """
+        """Refuse a bore that is not smaller than the outer diameter; `path` names the bearing."""
         bore, outer = self.bore_diameter, self.outer_diameter
         if bore is not None and outer is not None and not bore < outer:
             than = {"field": "outer_diameter", "limit": outer}
@@ -577,36 +383,20 @@ class RollingBearing:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Shaft:
-    """The crankshaft: where its loads and bearings are.
+    """Crankshaft with the places of its loads and bearings."""
 
-    Attributes
-    ----------
-    satellite_positions : tuple of float
-        Middle plane of each satellite along the shaft, m.
-    bearing_positions : tuple of float
-        Places of both bearings, m.
-    satellite_mass : float or None
-        Mass of a satellite with its bearing, kg.
-    counterweights : tuple of Counterweight
-        Masses on the shaft besides them.
-    rotor_mass : float or None
-        Mass of all that turns with the shaft, kg; that of the satellites where not given.
-    bearings : tuple of RollingBearing
-        Both bearings; none where they are not given.
-    """
-
-    satellite_positions: tuple[float, ...]
-    bearing_positions: tuple[float, float]
-    satellite_mass: float | None = None
+    satellite_positions: tuple[float, ...]  # middle plane of each satellite along the shaft, m
+    bearing_positions: tuple[float, float]  # m
+    satellite_mass: float | None = None  # satellite and bearing, kg
     counterweights: tuple[Counterweight, ...] = ()
-    rotor_mass: float | None = None
-    bearings: tuple[RollingBearing, ...] = ()
-    eccentric_diameter: float | None = None  # of the crank in its bearing, m
+    rotor_mass: float | None = None  # all parts turning with the shaft, kg; None: satellites
+    bearings: tuple[RollingBearing, ...] = ()  # two, or empty if not given
+    eccentric_diameter: float | None = None  # diameter of the crank in its bearing, m
     shaft_diameter: float | None = None  # between the cranks, m
 
     @property
     def known_bearings(self) -> tuple[RollingBearing, ...]:
-        """Both bearings, which have to be given."""
+        """Both bearings of the crankshaft; `NotKnown` if they are not given."""
         if not self.bearings:
             raise NotKnown("rating_unknown", "crankshaft.bearings")
         return self.bearings

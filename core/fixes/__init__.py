@@ -1,14 +1,14 @@
-"""Fixes of a check: each input that it depends on, solved alone, and what else that changes.
+"""Fixes of a check: each input that it depends on, solved alone, with side effects on other checks.
 
-A fix is found, not looked up: which way an input has to go is not obvious. It aims beyond the
-marginal band, is rounded to the safe side (pins to standard sizes), and all checks are made again
-with it.
+A fix is solved numerically, as the required direction of an input is not obvious. The target lies
+beyond the marginal band; the value is rounded to the safe side (pins to standard sizes), and all
+checks are made again with it.
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 fix                 one input solved, rounded, with its side effects
-plain               designs whose inputs do not hang on each other
-changes             a crank-planetary reducer with another value of an input
+plain               fixes of rollers and the precessional gear
+changes             crank-planetary reducer with another value of an input
 shifts              profile shifts of involute teeth, chosen together
 crank               fixes of a crank-planetary reducer
 """

@@ -1,4 +1,4 @@
-"""Inputs of a crank-planetary reducer, and the reducer with another value of one."""
+"""Inputs of a crank-planetary reducer, and the reducer with another value of one input."""
 
 from core.design.document import Design, changed, value_at
 from core.errors import required
@@ -6,21 +6,12 @@ from core.fixes.fix import WHOLE
 from core.tolerance.iso286 import fit_clearance
 
 RATING = "crankshaft.bearings.dynamic_rating"
-"""Both bearings of the crankshaft are of one rating."""
+"""Common dynamic rating of both crankshaft bearings."""
 
 
 def vary(*, design: Design, variable: str, value: float) -> Design:
-    """A design with another value of an input; the hole follows pin and eccentricity, and has the
-    clearance that it had, or that its fit has at the new sizes.
-
-    Parameters
-    ----------
-    design : Design
-        The design.
-    variable : str
-        Its path.
-    value : float
-        The value, SI.
+    """Design with another value, SI, of an input. The hole follows pin and eccentricity and keeps
+    its clearance, or takes that of its fit at the new sizes.
     """
     if variable in WHOLE:
         return changed(design, {variable: round(value)})
@@ -49,21 +40,9 @@ def _hole_of_fit(design: Design) -> float:
 
 
 def value_of(*, design: Design, variable: str) -> float:
-    """An input of a design.
-
-    Parameters
-    ----------
-    design : Design
-        The design.
-    variable : str
-        Its path.
-
-    Raises
-    ------
-    NotKnown
-        If it is not given, or no input of its own: the diameter of a pin without a sleeve is that
-        of the contact, with one the contact is not the pin's; of rollers both are theirs; the hole
-        of a fit follows it.
+    """Value of an input, SI; `NotKnown` if it is not given or follows another one. Pins without
+    sleeves, and pins in rollers, share their diameter with the contact; the hole of a fit follows
+    its pin.
     """
     if variable == RATING:
         bearings = required(design.crankshaft.bearings, "rating_unknown", "crankshaft.bearings")
@@ -78,15 +57,9 @@ def value_of(*, design: Design, variable: str) -> float:
 
 
 def count_may_change(design: Design) -> bool:
-    """Whether the number of satellites may change: of no coupling, and nothing is listed for each.
-
-    Parameters
-    ----------
-    design : Design
-        The design.
-    """
+    """True if the number of satellites may change: no coupling, nothing listed for each one."""
     cranks = design.mechanism
-    if cranks.output == "coupling":  # which has one
+    if cranks.output == "coupling":  # a coupling has one satellite
         return False
     listed = (cranks.crank_angles, cranks.crank_spacing, design.pin, design.crankshaft)
     shares = design.support.given_shares

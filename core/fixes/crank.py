@@ -33,36 +33,26 @@ from core.numerics.inverse import Solution
 from core.precision import SEARCHED
 
 LOOKS, NUDGE = 9, 0.02
-"""Most looks of a search by secants, and by which part an input is changed first."""
+"""Largest number of steps of a secant search, and relative size of its first step."""
 
 CHOICES = ("contact.pin_material", "contact.hole_material", "contact.fit")
-"""What a request chooses by name: such fixes are found where names are known."""
+"""Inputs chosen by name, whose fixes are found where names are known."""
 
 SHIFTED = ("gear.modification.equidistant", "gear.modification.pin_circle")
 """Inputs that may be 0 and of either sign."""
 
 FIRST_SHIFT, MOST_SHIFT, SHIFT_STEP = 1e-6, 0.5e-3, 1e-7
-"""By what they are changed first, to what at most, and in what steps, m."""
+"""First change, largest value and rounding step of these inputs, m."""
 
 CLOSE = 0.02
-"""How far beyond its aim a check may be by them, as a logarithm: they have few steps."""
+"""Largest excess of a check over its target by these inputs, as a logarithm."""
 
 STRENGTH = ("pin", "pin_rollers", "friction", "bearing", "crankshaft")
-"""Groups of checks that are about powers of their inputs."""
+"""Groups of checks whose values are nearly powers of their inputs."""
 
 
 def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> list[Fix]:
-    """Fixes of checks of a crank-planetary reducer, the best first.
-
-    Parameters
-    ----------
-    results : Results
-        Results of the design.
-    codes : iterable of str
-        The checks to be cured.
-    current : Verdict
-        Its checks.
-    """
+    """Fixes of the checks `codes` of a crank-planetary reducer, the best first."""
     fixes: list[Fix] = []
     chosen = cache(lambda: shifted(results))
     for code in codes:
@@ -72,14 +62,14 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
             if variable == SHIFT:
                 fixes += shift_fixes(designs=chosen(), code=code, current=current)
                 continue
-            with suppress(CalculationError):  # a size that would cure it may make no design
+            with suppress(CalculationError):  # the required size may make an impossible design
                 fixes.append(_fix(results, code, variable, current))
     return in_order(each for each in fixes if not _too_wide(results.design, each))
 
 
 def _too_wide(design: Design, fix: Fix) -> bool:
-    """Whether discs get wider than the circle of their pins, or of the ring's, is in radius; or the
-    circle of their pins than ten times what it is, or than the ring's.
+    """True if discs get wider than the radius of the ring pin circle (or pin circle), or the pin
+    circle exceeds the ring pin circle (or ten times its size).
     """
     widens = fix.variable == "load.pin_circle_radius"
     wide = design.load.pin_circle_radius * (10 if widens else 1)
@@ -90,13 +80,7 @@ def _too_wide(design: Design, fix: Fix) -> bool:
 
 
 def possible(fix: Fix) -> bool:
-    """Whether a fix by itself lets no part reach into another that did not; others may mend that.
-
-    Parameters
-    ----------
-    fix : Fix
-        A fix.
-    """
+    """True if a fix makes no part overlap another that did not before."""
     made = ((each.before, each.after) for each in fix.side_effects)
     return not any(
         after.impossible and after.status == "fail" and before.status != "fail"
@@ -130,15 +114,10 @@ def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix:
 
 
 def aimed(*, design: Design, check: Check) -> Check:
-    """A check of another design, under so many times the torque as a fix of it is to bear; of one
-    without a reserve the worse one of that and the torque itself.
+    """Check of a changed design under the torque that its fix has to bear.
 
-    Parameters
-    ----------
-    design : Design
-        That with a fix.
-    check : Check
-        The check without.
+    `check` is the check before the change. If it has no reserve, the worse result under that torque
+    and under the working torque is returned.
     """
     factors = {aim(check) if check.by_torque else 1.0, aim(check) if check.kind.loaded else 1.0}
     under_each = [Results(design).under(factor) for factor in factors]
@@ -148,7 +127,7 @@ def aimed(*, design: Design, check: Check) -> Check:
 
 
 def _cure(design: Design, code: str, variable: str, current: Verdict) -> Cure:
-    """An input, which is given and not 0, and what it does to all checks."""
+    """Cure of a check by an input that is given and not 0."""
     before = value_of(design=design, variable=variable)
     if not before:
         raise NoFix
@@ -160,7 +139,7 @@ def _cure(design: Design, code: str, variable: str, current: Verdict) -> Cure:
 
 
 def _standard(design: Design, variable: str) -> tuple[float, ...]:
-    """Standard sizes of an input, m: those of pins; a sleeve has none."""
+    """Standard sizes of an input, m: those of pins; empty for sleeves and other inputs."""
     if variable == "pin.diameter":
         return tuple(size / 1000 for size in PIN_SIZES)
     if variable == "contact.pin_radius" and not design.sleeved:
@@ -169,20 +148,20 @@ def _standard(design: Design, variable: str) -> tuple[float, ...]:
 
 
 def _met(check: Check) -> float:
-    """How far a check is met, over what a fix aims at."""
+    """Value of a check over the target of its fix, at least 1 if met; NaN if not known."""
     if check.by_torque:
         return check.reserve / aim(check)
     return 1 / check.utilisation if check.utilisation else math.nan
 
 
 def _least_met(check: Check) -> float:
-    """The same, of what is not known less than all."""
+    """Value of a check over the target of its fix; minus infinity if not known."""
     met = _met(check)
     return -math.inf if math.isnan(met) else met
 
 
 def _secant(met: Callable[[float], float], before: float) -> float:
-    """Where a measure that is about a power of an input is 1, or a trifle more."""
+    """Input at which a measure, nearly a power of the input, is 1 or slightly more."""
     points: list[tuple[float, float]] = []
     value, growth = before, 0.0
     for look in range(LOOKS):
@@ -202,7 +181,7 @@ def _secant(met: Callable[[float], float], before: float) -> float:
             growth = (points[-1][1] - points[-2][1]) / (points[-1][0] - points[-2][0])
         if not abs(growth) > 0.1:
             raise NoFix
-        # a trifle beyond, so that it is met from the safe side
+        # The step ends slightly beyond 1, so that the target is met from the safe side.
         value = math.exp(points[-1][0] - (points[-1][1] - SEARCHED / 2) / growth)
         if not before / RANGE <= value <= before * RANGE:
             raise NoFix
@@ -210,14 +189,14 @@ def _secant(met: Callable[[float], float], before: float) -> float:
 
 
 def _shifted(results: Results, code: str, variable: str, current: Verdict) -> Fix:
-    """Fix by a modification of the discs, of which gaps are straight functions: what presses by
-    what is too much, the others by secants.
+    """Fix by a modification of the discs, which changes gaps linearly: interference is removed
+    directly, other checks are met by secants.
     """
     design, check = results.design, current[code]
     before, _ = value_of(design=design, variable=variable), check.compared
     looks = list[tuple[float, float]]()
     (other,) = (abs(value_at(design, each)) for each in SHIFTED if each != variable)
-    larger = 1.0 if variable == "gear.modification.equidistant" else -1.0  # makes gaps larger
+    larger = 1.0 if variable == "gear.modification.equidistant" else -1.0  # sign of larger gaps
     after, way = before, larger if code == "ring_pressed" else -larger
 
     def found(value: float) -> Check:
@@ -245,7 +224,7 @@ def _shifted(results: Results, code: str, variable: str, current: Verdict) -> Fi
                 if slope * way <= 0:
                     raise NoFix
                 step = (CLOSE / 2 - two) / slope * way
-                near = max(abs(after), other, 2 * FIRST_SHIFT) / 2  # the smaller, the steeper
+                near = max(abs(after), other, 2 * FIRST_SHIFT) / 2  # small ones act steeply
                 step = min(step, near)
         steps = math.ceil if step > 0 else math.floor
         after = SHIFT_STEP * round(after / SHIFT_STEP + way * steps(step / SHIFT_STEP))
@@ -260,7 +239,7 @@ def _shifted(results: Results, code: str, variable: str, current: Verdict) -> Fi
 
 
 def _less_clearance(results: Results, code: str, current: Verdict) -> Fix:
-    """Fix of backlash or lost motion, which grow with the clearance almost straight."""
+    """Fix of backlash or lost motion, which are nearly linear in the clearance."""
     design, clearance = results.design, results.design.known_clearance
     cure = _cure(design, code, "contact.hole_radius", current)
     hole, (value, limit) = cure.before, aimed(design=design, check=current[code]).compared
@@ -286,7 +265,7 @@ def _less_clearance(results: Results, code: str, current: Verdict) -> Fix:
 
 
 def _checked(cure: Cure, exact: float) -> Fix:
-    """A fix that was found, with all checks made again."""
+    """Fix by a solved value, with all checks made again."""
     ends = (exact, exact * RANGE) if exact >= cure.before else (exact / RANGE, exact)
     if cure.variable == "contact.hole_radius":
         ends = (exact, exact)
@@ -305,7 +284,7 @@ def _checked(cure: Cure, exact: float) -> Fix:
 
 
 def _fitting(results: Results, code: str, current: Verdict) -> Fix:
-    """The hole with which the parts fit, and have a clearance as usual."""
+    """Fix by the hole radius with which parts fit and have a usual clearance."""
     design = results.design
     after = design.nominal_pair.pin_radius + design.known_eccentricity
     with suppress(*UNKNOWN):

@@ -1,4 +1,4 @@
-"""A fix of a check by one input: solved, rounded to the safe side, with what else it changes."""
+"""Fix of a check by one input: solved, rounded to the safe side, with side effects."""
 
 import math
 from collections.abc import Callable, Iterable, Mapping
@@ -16,130 +16,80 @@ FixStatus = Literal["solved", "not_enough", "not_monotone"]
 
 
 class NoFix(CalculationError):
-    """No value of an input is found with which a check can be made, or would be better."""
+    """Refusal if no value of an input makes or improves a check."""
 
 
 PIN_SIZES = (
     *(0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 30.0),
     *(40.0, 50.0),
 )
-"""Diameters of parallel pins in mm that ISO 2338 (DIN 7) has; up to 20 mm ISO 8734 too."""
+"""Diameters of parallel pins of ISO 2338 (DIN 7), mm; up to 20 mm also of ISO 8734."""
 
 UNITS = {"load.input_speed": 2 * math.pi / 60}
-"""Units in which inputs are rounded, in SI units, where people do not count in decimals of these: a
-turn a minute."""
+"""Units, in SI, in which inputs are rounded if users count in other units: revolutions per
+minute."""
 
 WALL = 1e-3
-"""Wall that a fix aims at where none is asked, m."""
+"""Wall that a fix aims at if no wall is requested, m."""
 
 RANGE = 20.0
-"""How many times larger or smaller than it is an input is looked at."""
+"""Largest factor by which an input is increased or decreased."""
 
 SAMPLES = 17
-"""Places at which that range is looked at first."""
+"""Number of places at which that range is sampled first."""
 
 COUNTS = 20
-"""Most whole numbers that are tried."""
+"""Largest number of whole numbers that are tried."""
 
 
 @dataclass(frozen=True, slots=True)
 class SideEffect:
-    """What a fix does to another check.
+    """Effect of a fix on another check."""
 
-    Attributes
-    ----------
-    code : str
-        Which.
-    before, after : Check
-        It without and with the fix.
-    """
-
-    code: str
-    before: Check
-    after: Check
+    code: str  # code of the other check
+    before: Check  # result without the fix
+    after: Check  # result with the fix
 
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """One input changed so that a check passes.
+    """One input changed so that a check passes."""
 
-    Attributes
-    ----------
-    code : str
-        The check.
-    variable : str
-        The input's path.
-    before, after : float or str
-        The input without and with the fix, SI, or the names of what is chosen.
-    exact : float or None
-        What it had to be at least, or at most; None of what is chosen.
-    standard : bool
-        Whether it is a standard size.
-    status : FixStatus
-        `not_enough` where no value in range makes the check pass: then the best; `not_monotone`
-        where there are several stretches that do: then the nearest.
-    verdict : str
-        Of the whole design with the fix.
-    side_effects : tuple of SideEffect
-        Other checks that change.
-    beside : mapping
-        Other inputs that are chosen with it, SI, by their paths.
-    """
-
-    code: str
-    variable: str
-    before: float | str
-    after: float | str
-    exact: float | None
-    standard: bool
+    code: str  # code of the check
+    variable: str  # path of the input
+    before: float | str  # SI, or the name of a choice
+    after: float | str  # SI, or the name of a choice
+    exact: float | None  # value before rounding, SI; None for a choice
+    standard: bool  # True if the value is a standard size
+    # `not_enough`: no value in range passes, the best is given; `not_monotone`: several stretches
+    # of values pass, the nearest is given.
     status: FixStatus
-    verdict: str
-    side_effects: tuple[SideEffect, ...]
-    beside: Mapping[str, float] = field(default_factory=dict)
+    verdict: str  # verdict of the whole design with the fix
+    side_effects: tuple[SideEffect, ...]  # changed other checks
+    beside: Mapping[str, float] = field(default_factory=dict)  # inputs set together, SI, by path
 
     @property
     def change(self) -> float | None:
-        """Relative change of the input; None of what is chosen, or was 0, or changes its sign."""
+        """Relative change of the input; None for a choice, a value of 0 or a change of sign."""
         if isinstance(self.after, str) or isinstance(self.before, str) or self.exact is None:
             return None
         return self.after / self.before - 1 if self.after * self.before > 0 else None
 
     @property
     def extent(self) -> float:
-        """How much it changes, as the logarithm of the ratio; 0 of what is chosen, or of no such
-        ratio.
-        """
+        """Magnitude of the change: logarithm of the ratio; 0 without a ratio."""
         return abs(math.log1p(self.change or 0.0))
 
 
 def aim(check: Check) -> float:
-    """Torque reserve that a fix of a check aims at.
-
-    Parameters
-    ----------
-    check : Check
-        The check.
-    """
+    """Torque reserve that a fix of a check aims at."""
     return 1.0 if check.warning else MARGIN
 
 
 def beyond(check: Check) -> float:
-    """How far a check is beyond what a fix aims at.
+    """Distance of a check beyond the target of its fix, at least 0 if met.
 
-    Parameters
-    ----------
-    check : Check
-        The check.
-
-    Returns
-    -------
-    float
-        >= 0 where it is met.
-
-    Raises
-    ------
-    NotKnown
-        If it could not be made.
+    Raises NotKnown if the check could not be made.
     """
     value, limit = check.compared
     if check.by_torque:
@@ -154,33 +104,17 @@ Change = Callable[[float], Check]
 
 @dataclass(frozen=True, slots=True)
 class Cure:
-    """An input that is to cure a check, and how the design is judged with it.
+    """Input that is to cure a check, and functions that judge the changed design."""
 
-    Attributes
-    ----------
-    code : str
-        The check.
-    variable : str
-        The input's path.
-    before : float
-        Its value, SI, > 0.
-    whole_list : callable
-        All checks with another value of it.
-    current : Verdict
-        All checks without.
-    standard : tuple of float
-        Its standard sizes, SI, where there are any.
-    """
-
-    code: str
-    variable: str
-    before: float
-    whole_list: Callable[[float], Verdict]
-    current: Verdict
-    standard: tuple[float, ...] = ()
+    code: str  # code of the check
+    variable: str  # path of the input
+    before: float  # value, SI, > 0
+    whole_list: Callable[[float], Verdict]  # all checks with another value
+    current: Verdict  # all checks without a change
+    standard: tuple[float, ...] = ()  # standard sizes, SI; may be empty
 
     def by(self, exact: float, found: Solution, status: FixStatus) -> Fix:
-        """The fix by a value, with its rounding and its side effects."""
+        """Fix by an exact value, with rounding and side effects."""
         sizes = [] if self.variable in WHOLE or status == "not_enough" else self._sizes(exact)
         within = (
             (size, is_standard)
@@ -188,7 +122,7 @@ class Cure:
             if any(start <= size <= end for start, end in found.intervals)
         )
         after, standard, verdict = self._made([*within, (exact, False)])
-        if verdict.unforced and not self.current.unforced:  # which cannot be put together
+        if verdict.unforced and not self.current.unforced:  # the parts cannot be assembled
             raise NoFix
         effects = side_effects(code=self.code, current=self.current, found=verdict)
         outcome = verdict.verdict
@@ -197,7 +131,7 @@ class Cure:
         )
 
     def _sizes(self, exact: float) -> list[tuple[float, bool]]:
-        """Rounded sizes on the safe side of an exact one, the best first, and whether standard."""
+        """Rounded sizes on the safe side of an exact one, best first, with True if standard."""
         up = exact >= self.before
         beyond_it = [each for each in self.standard if (each >= exact if up else each <= exact)]
         sizes = [((min if up else max)(beyond_it), True)] if beyond_it else []
@@ -207,30 +141,20 @@ class Cure:
         return [*sizes, (rounded / step * unit, False)]
 
     def _made(self, sizes: list[tuple[float, bool]]) -> tuple[float, bool, Verdict]:
-        """The first size that makes a design, whether it is a standard one, and the verdict."""
+        """First size that makes a design, True if it is standard, and the verdict."""
         (size, standard), *others = sizes
         try:
             return size, standard, self.whole_list(size)
-        except CalculationError:  # as where a pin is as thick as its sleeve
+        except CalculationError:  # for example a pin as thick as its sleeve
             if not others:
                 raise
             return self._made(others)
 
 
 def fix_of(*, cure: Cure, change: Change) -> Fix:
-    """An input solved so that a check passes.
+    """Fix by an input, solved so that a check passes; `change` makes the check at another value.
 
-    Parameters
-    ----------
-    cure : Cure
-        The input and the check.
-    change : callable
-        The check with another value of the input.
-
-    Raises
-    ------
-    NoFix
-        If the check cannot be made at any value, or is best as it is.
+    Raises NoFix if the check cannot be made at any value, or is best as it is.
     """
     before, whole = cure.before, cure.variable in WHOLE
 
@@ -265,15 +189,7 @@ def fix_of(*, cure: Cure, change: Change) -> Fix:
 
 
 def side_effects(*, code: str, current: Verdict, found: Verdict) -> tuple[SideEffect, ...]:
-    """What the fix of a check does to the others.
-
-    Parameters
-    ----------
-    code : str
-        The check.
-    current, found : Verdict
-        All checks without and with the fix.
-    """
+    """Changes of other checks by a fix of the check `code`, from verdicts without and with it."""
     return tuple(
         SideEffect(code=each.code, before=old, after=each)
         for each in found.checks
@@ -291,13 +207,7 @@ def _changed(before: Check, after: Check) -> bool:
 
 
 def in_order(fixes: Iterable[Fix]) -> list[Fix]:
-    """Fixes by the verdict that they lead to, then by how little they change.
-
-    Parameters
-    ----------
-    fixes : iterable of Fix
-        The fixes.
-    """
+    """Fixes ordered by status, then by the verdict that they lead to, then by least change."""
     verdicts = ("pass", "marginal", "incomplete", "fail")
     ways = ("solved", "not_monotone", "not_enough")
     return sorted(

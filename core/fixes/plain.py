@@ -1,4 +1,4 @@
-"""Fixes of designs whose inputs do not hang on each other: rollers, the precessional gear."""
+"""Fixes of rollers and the precessional gear, whose inputs do not depend on each other."""
 
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
@@ -15,18 +15,9 @@ def plain_fixes(
     current: Verdict,
     checks: Callable[[dict[str, Any]], Verdict],
 ) -> list[Fix]:
-    """Fixes of checks of a design whose inputs do not hang on each other, the best first.
+    """Fixes of the checks `codes` of a design whose inputs do not depend on each other, best first.
 
-    Parameters
-    ----------
-    design : mapping
-        Inputs by their core names, SI.
-    codes : iterable of str
-        The checks to be cured.
-    current : Verdict
-        Its checks.
-    checks : callable
-        All checks of changed inputs.
+    `design` has the inputs by core names, SI; `checks` makes all checks of changed inputs.
     """
     fixes = []
     for code in codes:

@@ -1,5 +1,5 @@
-"""Fixes of involute teeth by their profile shifts: those that are best at the eccentricity, with
-other heights where these leave none, and the nearest eccentricity that leaves tips apart.
+"""Fixes of involute teeth by profile shifts: the best shifts at the given eccentricity, with lower
+heights if no shifts are possible, and the nearest eccentricity that keeps tips apart.
 """
 
 import math
@@ -18,7 +18,7 @@ from core.ring.possible_teeth import possible_teeth
 from core.ring.shift_choice import nearest_ring, shifts_at
 
 SHIFT = "gear.satellite_profile_shift"
-"""The input that names such a fix."""
+"""Input that names a fix by profile shifts."""
 
 ECCENTRICITY = "contact.eccentricity"
 
@@ -29,39 +29,30 @@ MICRON = 1e-6
 """Step of an eccentricity, m."""
 
 SPARE = 1e-3
-"""Room of the tips besides that which a check asks, for rounding."""
+"""Clearance of the tips beyond the limit of their check, for rounding."""
 
 LOWER = 0.01
-"""By how much teeth are lower than those with the largest contact ratio, whose path ends just where
-their flanks do, in modules."""
+"""Reduction of tooth heights, in modules, below those of the largest contact ratio, whose path ends
+exactly at the ends of the flanks."""
 
 
 class Shifted(NamedTuple):
-    """A design with other profile shifts."""
+    """Design with other profile shifts."""
 
-    variable: str  # by which it is named
-    before: float  # its value without, SI
-    after: float  # its value with it, SI
-    beside: dict[str, float]  # what else is set
+    variable: str  # input that names the fix
+    before: float  # value of the input without the fix, SI
+    after: float  # value of the input with the fix, SI
+    beside: dict[str, float]  # other inputs that are set
     verdict: Verdict
 
 
 def shifted(results: Results) -> list[Shifted]:
-    """A design with profile shifts that are chosen for it, and what else has to change with them.
-
-    Parameters
-    ----------
-    results : Results
-        Results of the design.
-
-    Returns
-    -------
-    list of Shifted
-        Empty where its teeth are not known, or make no design.
+    """Designs with chosen profile shifts and the inputs that change with them; empty if the teeth
+    are not known or no design results.
     """
     try:
         teeth = results.ring.pair.teeth
-    except CalculationError:  # nothing is known of the shifts
+    except CalculationError:  # the shifts are not known
         return []
     made, design = [], results.design
     for variable, values in _choices(results, teeth):
@@ -69,29 +60,14 @@ def shifted(results: Results) -> list[Shifted]:
         other = vary(design=design, variable=variable, value=after)
         try:
             verdict = crank_verdict(Results(changed(other, values)))
-        except CalculationError:  # an eccentricity that makes no design
+        except CalculationError:  # the eccentricity makes no design
             continue
         made.append(Shifted(variable, before, after, values, verdict))
     return made
 
 
 def shift_fixes(*, designs: Iterable[Shifted], code: str, current: Verdict) -> list[Fix]:
-    """Fixes of a check by profile shifts.
-
-    Parameters
-    ----------
-    designs : iterable of Shifted
-        With others.
-    code : str
-        The check to be cured.
-    current : Verdict
-        The checks of the design.
-
-    Returns
-    -------
-    list of Fix
-        Those with which the check passes, of each input that they are named by the first.
-    """
+    """Fixes that make a check pass by profile shifts: the first for each naming input."""
     fixes: dict[str, Fix] = {}
     for each in designs:
         if each.verdict[code].status == "pass" and each.variable not in fixes:
@@ -111,7 +87,7 @@ def shift_fixes(*, designs: Iterable[Shifted], code: str, current: Verdict) -> l
 
 
 def _choices(results: Results, teeth: InvoluteTeeth) -> Iterator[tuple[str, dict[str, Any]]]:
-    """The input that a choice is named by, and all that it sets."""
+    """Naming input and all values of each choice of profile shifts."""
     line = results.ring.pair.line
     room = TIPS_APART + SPARE
     if best := if_known(lambda: shifts_at(teeth=teeth, eccentricity=line.eccentricity, room=room)):
@@ -133,11 +109,9 @@ def _choices(results: Results, teeth: InvoluteTeeth) -> Iterator[tuple[str, dict
 
 
 def _values(results: Results, teeth: InvoluteTeeth, *, lower: float = 0.0) -> dict[str, Any]:
-    """Shifts of teeth and, so much lower, their heights; of tips that are given by their radii
-    these.
-    """
+    """Rounded shifts of teeth with heights reduced by `lower`, or tip radii if these are given."""
     gear, scale = results.design.involute, 10**DIGITS
-    # a ring a trifle larger leaves backlash, and tips apart
+    # Rounding up the ring's shift leaves backlash and keeps tips apart.
     ring = math.ceil(teeth.ring_profile_shift * scale - 1e-6) / scale
     values = {SHIFT: round(teeth.satellite_profile_shift, DIGITS), "gear.ring_profile_shift": ring}
     own = {"satellite": teeth.satellite_addendum, "ring": teeth.ring_addendum}
