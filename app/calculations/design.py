@@ -383,7 +383,7 @@ class DesignLoadFields(LoadFields, group="load"):
             force_exponent=self.force_exponent,
             torque_direction=self.torque_direction,
             input_speed=to_si("input_speed_rpm", self.input_speed_rpm),
-            application_factor=self.application_factor,
+            application_factor=self.application_factor or whole.older_factor or 1.0,
             peak_torque=self.peak_torque_Nm,
             peak_kind=self.peak_kind,
             ring_speed=to_si("speed_rpm", self.ring_speed_rpm),
@@ -454,7 +454,6 @@ class DesignFields(GivingFields):
     BETWEEN: ClassVar[tuple[Rule, ...]] = (
         Rule("contact/pin_radius_mm", "needed_beside", "rollers"),
         Rule("friction/coefficient", "only_one", "rollers/friction_coefficient"),
-        Rule("load/application_factor", "only_one", "contact/dynamic_factor"),
     )
 
     mechanism: MechanismFields
@@ -511,6 +510,18 @@ class DesignFields(GivingFields):
         if self.as_made and self.contact and self.contact.distribution_factor > 1:
             raise field_error("contact/distribution_factor", "with_real_forces")
         return self
+
+    @model_validator(mode="after")
+    def _one_application_factor(self) -> Self:
+        given = self.load.application_factor if self.load else None
+        if None not in (given, self.older_factor) and given != self.older_factor:
+            raise field_error("load/application_factor", "only_one", field="dynamic_factor")
+        return self
+
+    @property
+    def older_factor(self) -> float | None:
+        """Application factor where requests of before had it, beside the contact."""
+        return self.contact.dynamic_factor if self.contact else None
 
     @property
     def ring_kind(self) -> str | None:

@@ -203,7 +203,7 @@ application_factor = partial(
     "K_A",
     step=0.05,
     help="Factor on the torque for stresses and pressures, not for losses, wear and the life of "
-    "bearings; not beside the contact's dynamic factor, which is the same.",
+    "bearings; 1 where not given.",
 )
 
 pin_circle_radius = partial(

@@ -345,6 +345,10 @@ class PinContactFields(ContactFields, group="contact"):
     fit: Maybe[str] = quantity("Fit", schema={"pattern": FIT, "x-options": USUAL_FITS})
     """ISO 286 classes of the hole and of what touches it, as H7/f7, instead of the clearance: half
     of the mean clearance of the two diameters."""
+    dynamic_factor: Maybe[Size] = quantity(  # type: ignore[assignment]
+        "Application factor", "K_A", step=0.05, schema={"deprecated": True}
+    )
+    """Older place of `load.application_factor`, which it is read as."""
     distribution_factor: float = distribution_factor(ge=1, le=1e12)
     distribution_of: Maybe[SharedBy] = quantity("Uneven share of", advanced=True)
     """Of satellites, of which one carries so many times its part of the torque, at most all of it,
@@ -440,7 +444,6 @@ class PinContactFields(ContactFields, group="contact"):
             pin_radius=to_si("pin_radius_mm", self.pin_radius_mm),
             hole_radius=to_si("hole_radius_mm", self.hole_mm),
             eccentricity=to_si("eccentricity_mm", self.eccentricity_mm),
-            dynamic_factor=self.dynamic_factor,
             distribution_factor=self.distribution_factor,
             distribution_of=self.distribution_of,
             clearance_stated=self.stated_clearance_mm is not None,

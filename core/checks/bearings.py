@@ -383,7 +383,7 @@ def bearing_min_load(kind: Kind, design: Design, results: Results) -> Check:
     inputs=(
         of.BEARING_LOAD,
         "load.input_speed bearing.ring_factor bearing.dynamic_rating bearing.static_rating",
-        "load.peak_torque load.application_factor contact.dynamic_factor",
+        "load.peak_torque load.application_factor",
     ),
     source="iso_281_life",
     needed=False,

@@ -386,7 +386,7 @@ _plastic = Element("plastic", "contact", "plastics load")
     why="Above it the teeth yield under the first load, even cold.",
     inputs=(
         of.TEETH_GIVE,
-        "load.output_torque load.peak_torque contact.dynamic_factor gear.friction_coefficient",
+        "load.output_torque load.peak_torque load.application_factor gear.friction_coefficient",
         "gear.rolling",
     ),
     fixes=(_RING_FIXES, "load.output_torque load.peak_torque"),

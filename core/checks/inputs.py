@@ -71,7 +71,7 @@ RING_GIVES = paths(RING_CARRIES, "gear.modification.rotation")
 FORCES = paths(PIN_FORCES, RING_GIVES)
 """Inputs of the forces on pins, with those of ring sharing for meshes in series."""
 
-ON_STRESSES = "contact.dynamic_factor load.application_factor"
+ON_STRESSES = "load.application_factor"
 """Factor on stresses and pressures."""
 
 LOADED = paths(FORCES, ON_STRESSES)

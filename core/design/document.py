@@ -453,11 +453,8 @@ class Design:
 
     @property
     def load_factor(self) -> float:
-        """Application factor K_A or dynamic factor of the contact, on the torque for stresses."""
-        factor = self.load.application_factor if self.load else None
-        if factor is None:
-            factor = self.contact.dynamic_factor if self.contact else 1.0
-        return factor
+        """Application factor K_A on the torque for stresses."""
+        return self.load.application_factor if self.load else 1.0
 
     @property
     def rotor_mass(self) -> float:

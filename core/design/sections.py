@@ -69,7 +69,7 @@ class Load:
     force_exponent: float = 1.0  # v, exponent of the approach in the force
     torque_direction: Direction = "driving"  # "alternating" judges the worse direction
     input_speed: float | None = None  # speed of the crank, rad/s
-    application_factor: float | None = None  # K_A on stresses; None: that of the contact
+    application_factor: float = 1.0  # K_A on stresses
     peak_torque: float | None = None  # for static strength, N*m; None: torque times K_A
     peak_kind: PeakKind = "start"  # event at which the peak torque acts
     # Speed of the ring if pins and ring are both outputs, positive as the crank turns, rad/s.
@@ -100,7 +100,6 @@ class Contact:
     eccentricity: float | None = None  # e, m
     pin_material: ElasticMaterial | None = None  # material of the pin's surface, or of its sleeve
     hole_material: ElasticMaterial | None = None  # material of the satellite
-    dynamic_factor: float = 1.0  # on the force if the load has no application factor
     distribution_factor: float = 1.0  # K_alpha, load-sharing factor on the largest force
     distribution_of: SharedBy | None = None  # origin of that factor; None: discs if several
     clearance_stated: bool = False  # True if a clearance is stated, which may be 0

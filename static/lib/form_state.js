@@ -73,7 +73,7 @@ export function textOfLink(field, text) {
 export function stateFromInput(model, input) {
   const texts = {};
   for (const field of model.fields.values()) {
-    const value = valueAt(input, placeOf(field));
+    const value = valueAt(input, placeOf(field)) ?? valueAt(input, model.moved?.[field.path] ?? "");
     const given = typeof value === "object" && !Array.isArray(value) ? undefined : value;
     texts[field.path] = textIn(field, given ?? field.default);
   }

@@ -158,12 +158,12 @@ function groupsByField(schema, { groups, inline, hidden, resolve }) {
  * that the fields of a flat body name themselves; `choices` says which fields exclude each other,
  * `{ choice: { option: [path] } }`, and `optional` which of them may be left empty; `hidden` what the
  * page decides for the user, `requirements`, where it is given, the only ones that are asked for; `arranged` puts them in groups of the page's own; `suggestions` says which
- * boxes follow others while they are empty (`linked`); `diameters` has title and help, by name, of
+ * boxes follow others while they are empty (`linked`); `moved` the older path of a field, by its path; `diameters` has title and help, by name, of
  * radii that are shown as diameters; `wanted` are groups that are off until wanted; `words(name, group)` gives title and help of a field, or null for
  * those of the schema.
  */
 export function formModel(openapi, {
-  path, groups, inline, requirements, choices = {}, optional = [], hidden: kept = [], arranged = null, suggestions = {}, diameters = null,
+  path, groups, inline, requirements, choices = {}, optional = [], hidden: kept = [], arranged = null, suggestions = {}, diameters = null, moved = {},
   wanted = [], words = () => null,
 }) {
   const { schema, resolve } = bodySchema(openapi, path, words);
@@ -185,7 +185,7 @@ export function formModel(openapi, {
   const fields = new Map(every.flatMap(fieldsOf).map((field) => [field.path, field]));
   const linked = Object.entries(suggestions).filter(([at, { linked: follows }]) => follows && fields.has(at));
   return {
-    diameters: Boolean(diameters), groups: [...arranged ? inOrder(items, arranged) : parts, ...besides], choices: every.filter((item) => !item.path), fields, linked,
+    diameters: Boolean(diameters), moved, groups: [...arranged ? inOrder(items, arranged) : parts, ...besides], choices: every.filter((item) => !item.path), fields, linked,
   };
 }
 

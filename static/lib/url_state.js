@@ -44,6 +44,10 @@ const KNOWN = ["calculator", "v", "verdict", "units", "lang", "lengths", ...LABE
  * links said their `verdict`. A link without a version is of the current one.
  */
 export function decodeState(model, parameters, calculator = parameters.get("calculator")) {
+  for (const [path, older] of Object.entries(model.moved ?? {})) {
+    if (parameters.has(older) && !parameters.has(path)) parameters.set(path, parameters.get(older));
+    parameters.delete(older);
+  }
   const names = [...new Set(parameters.keys())];
   const another = (parameters.get("calculator") ?? calculator) !== calculator;
   const described = names.some((name) => name === "v" || LABELS.includes(name) || model.fields.has(name));

@@ -382,7 +382,12 @@ async def test_factor_and_peak_torque(api):
     """The factor counts for stresses, the peak torque for static safety, neither for life."""
     alone = changed(ALONE, contact__distribution_factor=1.2)
     base = await answered(api, alone)
-    for changes in ({"load__application_factor": 1.25}, {"contact__dynamic_factor": 1.25}):
+    older = {"contact__dynamic_factor": 1.25}  # its place in requests of before
+    for changes in (
+        {"load__application_factor": 1.25},
+        older,
+        older | {"load__application_factor": 1.25},
+    ):
         more = await answered(api, changed(alone, **changes))
         pins = more["pin_strength"]
         assert pins["peak_force_N"] == pytest.approx(1.25 * base["pin_strength"]["peak_force_N"])

@@ -18,7 +18,12 @@ PATH = "crank-planetary"
 WHOLE = next(each for each in EXAMPLES if each["id"] == "involute")["input"]
 TEETH = {
     "mechanism": WHOLE["mechanism"],
-    "load": {"output_torque_Nm": 400.0, "pin_circle_radius_mm": 37.0, "input_speed_rpm": 720.0},
+    "load": {
+        "output_torque_Nm": 400.0,
+        "pin_circle_radius_mm": 37.0,
+        "input_speed_rpm": 720.0,
+        "application_factor": 1.25,
+    },
     "contact": {**WHOLE["contact"], "hole_clearance_mm": 0.0},
     "gear": WHOLE["gear"],
     "requirements": {"scope": ["teeth"]},

@@ -70,13 +70,17 @@ CONTACT = {
     "pin_radius_mm": 8.0,
     "eccentricity_mm": 2.0,
     "hole_radius_mm": 10.0,
-    "dynamic_factor": 1.25,
 }
 
 
 def _design(parts: dict[str, Any], hours: float, **load: Any) -> dict[str, Any]:
     """A whole design of six pins and two satellites."""
-    given = {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0, "input_speed_rpm": 1500.0}
+    given = {
+        "output_torque_Nm": 500.0,
+        "pin_circle_radius_mm": 50.0,
+        "input_speed_rpm": 1500.0,
+        "application_factor": 1.25,
+    }
     return {
         "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
         "load": given | load,
@@ -100,6 +104,7 @@ TEETH = {
         "efficiency": 0.9,
         "pin_circle_radius_mm": 40.0,
         "force_exponent": 1.5,
+        "application_factor": 1.2,
     },
     "contact": {
         "contact_length_mm": 10.0,
@@ -108,18 +113,20 @@ TEETH = {
         "eccentricity_mm": 0.02,
         "pin_material": STEEL,
         "hole_material": STEEL,
-        "dynamic_factor": 1.2,
     },
 }
 LOOSE = {
     "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
-    "load": {"output_torque_Nm": 200.0, "pin_circle_radius_mm": 40.0},
+    "load": {
+        "output_torque_Nm": 200.0,
+        "pin_circle_radius_mm": 40.0,
+        "application_factor": 1.25,
+    },
     "contact": {
         "contact_length_mm": 12.0,
         "pin_radius_mm": 5.0,
         "hole_radius_mm": 7.03,
         "eccentricity_mm": 2.0,
-        "dynamic_factor": 1.25,
     },
     "include": ["cyclogram", "contact_force", "hertz", "geometry"],
 }

@@ -417,7 +417,7 @@ def test_strength_and_life_from_the_switch_to_the_cure(page: Page, service: str)
 
 REAL_DESIGN = {
     "load.input_speed_rpm": "1500",
-    "contact.dynamic_factor": "1.25",
+    "load.application_factor": "1.25",
     "real.on": "on",
     "contact.hole_clearance_mm": "0.02",
     "deviations.pins": "; -0.02|;0|;0.01",

@@ -355,7 +355,7 @@ TOOTHED = design_of(
     eccentricity=0.004,
     pin_material=LASTING,
     hole_material=LASTING,
-    dynamic_factor=1.1,
+    application_factor=1.1,
     satellite_body=SatelliteBody(),
     friction=Friction(coefficient=0.05),
     min_wall=1e-3,

@@ -79,7 +79,7 @@ def test_the_pressure_is_that_of_the_real_peak(part: float, status: str) -> None
         (having(A, torque_direction="reverse"), 400e6),
         (having(A, deviations=UNEVEN), 2400e6),
         (having(A, deviations=ONE_SIDED, torque_direction="alternating"), 2400e6),
-        (having(A, contact_law=None, dynamic_factor=1.25), 400e6),
+        (having(A, contact_law=None, application_factor=1.25), 400e6),
         (having(A, hole_radius=0.0045, contact_law=LinearLaw(stiffness=5e7)), 400e6),
     ],
     ids=["less", "more", "reverse", "errors", "alternating", "dynamic", "no clearance"],
@@ -215,7 +215,7 @@ def test_lost_motion_is_backlash_and_what_gives() -> None:
         check = check_of("lost_motion", having(A, max_lost_motion=part * lost))
         assert (check.status, check.utilisation) == (status, pytest.approx(1 / part))
     # it is that at the torque itself, not at the dynamic one
-    dynamic = having(A, dynamic_factor=1.5)
+    dynamic = having(A, application_factor=1.5)
     assert check_of("lost_motion", dynamic).value is None
     asked = check_of("lost_motion", having(dynamic, max_lost_motion=1.0))
     assert asked.value == pytest.approx(lost, rel=SAME)

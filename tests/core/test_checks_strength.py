@@ -73,9 +73,9 @@ def test_static_strength() -> None:
     for safety, status in ((800e6 / STRESS * 1.001, "fail"), (800e6 / STRESS / 1.05, "marginal")):
         assert equally("pin_static", one_at(0.037, bending_safety=safety)).status == status
     # K_A and the peak torque
-    more = equally("pin_static", one_at(0.037, dynamic_factor=1.25))
+    more = equally("pin_static", one_at(0.037, application_factor=1.25))
     assert more.value == pytest.approx(1.25 * STRESS, rel=SAME)
-    peak = equally("pin_static", one_at(0.037, dynamic_factor=1.25, peak_torque=500.0))
+    peak = equally("pin_static", one_at(0.037, application_factor=1.25, peak_torque=500.0))
     assert peak.value == pytest.approx(2 * STRESS, rel=SAME)
 
 
@@ -272,11 +272,11 @@ def test_bearings() -> None:
         assert found.utilisation == pytest.approx(asked, rel=SEARCHED)
     safe = part(light(life=0.7 * life), "bearing", reliability_percent=95.0)
     assert check_of("bearing_life", safe).value == pytest.approx(0.64 * life, rel=SEARCHED)
-    static = check_of("bearing_static", light(dynamic_factor=1.5, peak_torque=1000.0))
+    static = check_of("bearing_static", light(application_factor=1.5, peak_torque=1000.0))
     assert static.value == pytest.approx(40e3 / 12645.46 / 2, rel=SEARCHED)
     assert (static.limit, static.status) == (1.5, "marginal")
     assert static.limit_source == "static_guide"
-    stop = light(dynamic_factor=1.5, peak_torque=1000.0, peak_kind="emergency")
+    stop = light(application_factor=1.5, peak_torque=1000.0, peak_kind="emergency")
     assert check_of("bearing_static", stop).limit == 1.0
     for kind, usual in (("ball", 1.0), ("roller", 1.5)):  # without a peak torque
         assert check_of("bearing_static", part(light(), "bearing", kind=kind)).limit == usual
@@ -289,7 +289,7 @@ def test_bearings() -> None:
     assert still["bearing_life"].reason == "speed_missing"
     many = light(input_speed=None, pins=2001, crankshaft=None)
     assert check_of("bearing_static", many).reason == "too_many_pairs"
-    static = check_of("bearing_static", light(dynamic_factor=1.5, static_safety=3.0))
+    static = check_of("bearing_static", light(application_factor=1.5, static_safety=3.0))
     assert static.value == pytest.approx(40e3 / 12645.46 / 1.5, rel=SEARCHED)
     assert (static.status, static.limit_source) == ("fail", "")
     together = part(light(life=0.3 * life), "bearing", weibull_slope=10 / 9)

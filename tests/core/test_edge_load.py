@@ -171,7 +171,7 @@ def test_the_pressure_of_the_reference_design() -> None:
     found = crank_check("contact_pressure_hole", equal)
     assert found.value == pytest.approx(PRESSURE * math.sqrt(far), rel=EXACT)
     assert found.at == {"satellite": 2}
-    more = Results(having(WHOLE, dynamic_factor=1.25), equal=True)
+    more = Results(having(WHOLE, application_factor=1.25), equal=True)
     steep = math.sqrt(2 * 3.4185221273e-3 * LENGTH / (PEAK * compliance(1.25 * PEAK)))
     assert more.line_load_factor == pytest.approx(steep, rel=EXACT)
     assert crank_check("contact_pressure_hole", more).value == pytest.approx(

@@ -232,7 +232,7 @@ def test_the_contact_at_the_peak_torque_by_the_static_limit(share: float) -> Non
     the working torque with its factor.
     """
     steel = MATERIALS["steel_case_hardened"].material
-    plain = having(REF, pin_material=steel, hole_material=steel, dynamic_factor=1.5)
+    plain = having(REF, pin_material=steel, hole_material=steel, application_factor=1.5)
     pressure = check_of("contact_pressure_pin", plain).value
     assert pressure is not None
     at_peak = pressure * (8 / 1.5) ** 0.5

@@ -309,8 +309,8 @@ def test_each_limit_is_where_it_says() -> None:
         assert (found.limit, found.status) == (limit, "marginal")
 
 
-def test_the_largest_load_has_the_dynamic_factor_in_it() -> None:
-    light = rolled(replace(ROLLERS, max_radial_load=1e3), pin=None, dynamic_factor=1.25)
+def test_the_largest_load_has_the_application_factor_in_it() -> None:
+    light = rolled(replace(ROLLERS, max_radial_load=1e3), pin=None, application_factor=1.25)
     most = check_of("pin_roller_max_load", light)
     assert most.value == pytest.approx(1.25 * Results(light).roller_loads.peak_load / 1e3)
     assert most.torque_reserve == pytest.approx(1 / most.value)

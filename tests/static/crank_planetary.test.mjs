@@ -60,16 +60,17 @@ test("the peak force is said to be without the load factors, and with them", () 
   const force = { peak_force_N: 1000, peak_crank_angle_deg: 30, peak_pair: { satellite: 1, pin: 2 }, equal_sharing_peak_N: 500, accuracy: ACCURACY };
   const said = (contact, hertz = {}) => {
     const answer = { contact_force: force, hertz };
-    const [peak] = calculator.verdict({ contact_force: force }, { input: { contact } });
-    return [peak.note, ...calculator.sentences(answer, { input: { contact } }).filter(Boolean).slice(1).map(([, words]) => words)];
+    const input = { contact, load: { application_factor: contact.factor } };
+    const [peak] = calculator.verdict({ contact_force: force }, { input });
+    return [peak.note, ...calculator.sentences(answer, { input }).filter(Boolean).slice(1).map(([, words]) => words)];
   };
-  assert.deepEqual(said({ dynamic_factor: 1.5, distribution_factor: 1.2 }), [
+  assert.deepEqual(said({ factor: 1.5, distribution_factor: 1.2 }), [
     "at 30°, satellite 1, pin 2; without the load factors, × 1.8",
-    "The contact pressure is that of 1800\u00a0N: the peak force times the dynamic and distribution factors, 1.8.",
+    "The contact pressure is that of 1800\u00a0N: the peak force times application factor and load-sharing factor, 1.8.",
   ]);
   assert.deepEqual(said({}), ["at 30°, satellite 1, pin 2"]);
   const bent = { line_load_factor: 2 };
-  assert.match(said({ dynamic_factor: 1.5 }, bent)[1], /that of 3000\u00a0N spread evenly .* factors, 1.5, and times 2 for bent pins/);
+  assert.match(said({ factor: 1.5 }, bent)[1], /that of 3000\u00a0N spread evenly .* factor, 1.5, and times 2 for bent pins/);
   assert.match(said({}, bent)[1], /that of 2000\u00a0N spread/);
 });
 
@@ -136,10 +137,10 @@ test("the sizes that the theory gives", () => {
 
 test("the pressure's figure is of the force that the pressure is judged under: the peak, or the real one", () => {
   const { body } = calculator.figures.find(({ id }) => id === "hertz");
-  const contact = { contact_length_mm: 10, dynamic_factor: 1.5, eccentricity_mm: 2 };
+  const contact = { contact_length_mm: 10, eccentricity_mm: 2 }, load = { application_factor: 1.5 };
   const ideal = { contact_force: { peak_force_N: 1000 }, hertz: {} };
-  assert.deepEqual(body({ contact }, ideal), { contact_length_mm: 10, dynamic_factor: 1.5, force_N: 1000 });
-  const real = body({ contact }, { ...ideal, load_sharing: { judged_force_N: 2370 } });
+  assert.deepEqual(body({ contact, load }, ideal), { contact_length_mm: 10, dynamic_factor: 1.5, force_N: 1000 });
+  const real = body({ contact, load }, { ...ideal, load_sharing: { judged_force_N: 2370 } });
   assert.deepEqual(real, { contact_length_mm: 10, dynamic_factor: 1, distribution_factor: 1, force_N: 2370 });
 });
 

@@ -54,14 +54,14 @@ const real = (section) => ({
 });
 
 /** The contact, the force of its pressure (with clearance that under the dynamic load), and what bent pins add to its line load. */
-export function pressedBy(contact, { contact_force: ideal, load_sharing: real, hertz }) {
+export function pressedBy(contact, factor, { contact_force: ideal, load_sharing: real, hertz }) {
   const edge = hertz?.line_load_factor ?? 1;
-  if (real?.judged_force_N === undefined) return { contact, force: ideal.peak_force_N, edge };
+  if (real?.judged_force_N === undefined) return { contact: { ...contact, dynamic_factor: factor ?? 1 }, force: ideal.peak_force_N, edge };
   return { contact: { ...contact, dynamic_factor: 1, distribution_factor: 1 }, force: real.judged_force_N, edge };
 }
 
-function hertzBody({ contact: { eccentricity_mm: e, hole_clearance_mm: clearance, fit, distribution_of, ...given } }, answer) {
-  const { contact, force, edge } = pressedBy(given, answer);
+function hertzBody({ load, contact: { eccentricity_mm: e, hole_clearance_mm: clearance, fit, distribution_of, ...given } }, answer) {
+  const { contact, force, edge } = pressedBy(given, load?.application_factor, answer);
   const hole = fit && { hole_radius_mm: tidy(given.pin_radius_mm + e + answer.geometry.clearance_mm) };
   return { ...contact, ...hole, force_N: force * edge };
 }
@@ -127,8 +127,8 @@ function pairsCell(section, real) {
   return { value: span(least, most), note: message("verdict.pairsMean", { all, mean: formatNumber(mean, 4) }) };
 }
 
-function peakCell(section, { contact }, id) {
-  const factor = factorOf(contact);
+function peakCell(section, input, id) {
+  const factor = factorOf(input);
   const at = message("verdict.peakAt", {
     angle: formatAngle(section.peak_crank_angle_deg, shownDigits(section.accuracy.relative_error, 5)),
     ...section.peak_pair,
@@ -218,7 +218,7 @@ export default {
   arranged: {
     reducer: ["ratio", "contact.eccentricity_mm", "mechanism.satellites", "cranks"],
     pins: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.pin_radius_mm", "play", "contact.hole_radius_mm", "contact.contact_length_mm"],
-    load: ["torque", "load.torque_direction", "contact.dynamic_factor", "load.input_speed_rpm", "load.peak_torque_Nm", "load.peak_kind"],
+    load: ["torque", "load.torque_direction", "load.application_factor", "load.input_speed_rpm", "load.peak_torque_Nm", "load.peak_kind"],
     materials: ["contact.pin_material", "contact.hole_material"],
     requirements: ["scope", "life_h", "pitting_safety", "min_wall_mm", "max_outer_diameter_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
     satellite_body: [
@@ -229,9 +229,9 @@ export default {
   },
   hidden: [
     ...WANTED.flatMap(({ fields }) => Object.keys(fields)), // asked where they are wanted
-    "load.application_factor", // the contact's dynamic factor
-    "load.include", "load.samples", "include", "fixes_for", "crank_angle_deg",
+    "contact.dynamic_factor", "load.include", "load.samples", "include", "fixes_for", "crank_angle_deg",
   ],
+  moved: { "load.application_factor": "contact.dynamic_factor" },
   choices: {
     cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] },
     ratio: { value: ["mechanism.ratio"], teeth: ["mechanism.satellite_teeth", "mechanism.ring_teeth"], ring: ["mechanism.output_ratio"] },

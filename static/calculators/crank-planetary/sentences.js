@@ -24,7 +24,7 @@ function made({ peak_force_N: peak }, { peak_force_N: real }) {
 }
 
 /** What stands between the peak force and the force that the pressure is of: the product of the factors, 1 for none. */
-export const factorOf = (contact) => (contact?.dynamic_factor ?? 1) * (contact?.distribution_factor ?? 1);
+export const factorOf = ({ load, contact } = {}) => (load?.application_factor ?? 1) * (contact?.distribution_factor ?? 1);
 
 /** The force that the pressure is of, where it is not the peak force: the load factors, and what bent pins add to the line load. */
 function pressed({ peak_force_N: peak }, { line_load_factor: edge = 1 }, factor) {
@@ -49,7 +49,7 @@ export function sentences({ cyclogram, contact_force: force, load_sharing: real,
   return [
     cyclogram && transmission(cyclogram, real),
     force && real ? made(force, real) : force?.equal_sharing_peak_N !== undefined && evenness(force),
-    force && hertz && !real && pressed(force, hertz, factorOf(input?.contact)),
+    force && hertz && !real && pressed(force, hertz, factorOf(input)),
     shares && shared(shares),
   ];
 }
