@@ -15,10 +15,11 @@ turns, the crank along ``w = exp(-i*a)``. With ``m(t) = exp(-i*t) - 1``:
             - e*w*(1 - exp(-i*z_p*s)),  approach = gap - n.D  at the foot s of D on the path
 
 P and ``H = P - eps`` are the centres of pin and hole, P_0 is the ring pin's from the disc's centre,
-n the outward normal of the path. No formula takes a difference of large numbers. FLANK is the
-second foot of a ring pin on the other flank of a valley narrower than the pin. Without EXACT, a
-group is in first order of lags and errors, with the levers of perfect parts. All functions are
-compiled (`core.drive.compiled`) and take floats, ints, bools and NumPy arrays only, in SI units.
+e_j the eccentricity of the crank, de its error, n the outward normal of the path. No formula takes
+a difference of large numbers. FLANK is the second foot of a ring pin on the other flank of a valley
+narrower than the pin. Without EXACT, a group is in first order of lags and errors, with the levers
+of perfect parts. All functions are compiled (`core.drive.compiled`) and take floats, ints, bools
+and NumPy arrays only, in SI units.
 """
 
 import math
