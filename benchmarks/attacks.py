@@ -1,16 +1,15 @@
-"""What has held or broken the service once, in variants, against a running one: does it hold now?
+"""Attacks that once held or broke the service, in variants, against a running one.
 
-Each attack is repeated in 20 variants that a seed draws: names, exponents, sizes, sample counts,
-percentiles. First each by itself: how long it holds the event loop, as processor time of the
-workers' first threads. Then eight clients send all of them while another one asks for `/livez`
-and for an idle empty endpoint on the same machine. Bodies in unknown codings have to be refused,
-and what is large of one address has to leave places to others.
-Slow clients have to get the whole of a large batch, and what is no free socket has to stay as it
-is. Bodies that do not end, answers that nobody takes, requests one behind the other and long names
-have to leave the memory of all processes as it is. Ends with 1 where the loop is held for more than
-0.1 s, or 0.03 s by what is let in, where the 99th percentile of `/livez` is above 20 times that of
-the empty endpoint, where memory grows by more than 300 MB, or where anything is cut short, deleted
-or taken.
+Each attack comes in 20 variants that a seed draws: names, exponents, sizes, sample counts,
+percentiles. Each request first runs alone, to measure how long it holds the event loop, by the
+processor time of the workers' first threads. Then eight clients send all of them while another
+client asks for `/livez` and for an idle empty endpoint on the same machine. Bodies in unknown
+codings have to be refused, and large bodies from one address have to leave places to others. Slow
+clients have to get the whole of a large batch, and a file or a live socket has to stay as it is.
+Bodies that do not end, answers that nobody takes, requests one behind the other and long names must
+not fill memory. The status is 1 if the loop is held for more than 0.1 s, or 0.03 s by a request
+that is let in, if the 99th percentile of `/livez` is above 20 times that of the empty endpoint, if
+memory grows by more than 300 MB, or if anything is cut short, deleted or taken.
 `make attacks`; variants and seed may be given: `python -m benchmarks.attacks 50 7`.
 """
 
@@ -45,47 +44,46 @@ from tests.inputs.loop_requests import largest_in_the_loop
 VARIANTS, CLIENTS = 20, 8
 
 HELD_S, ADMITTED_S, LIVEZ_TIMES = 0.1, 0.03, 20.0
-"""Longest that the loop may be held, by what is let in; slowest `/livez` of a hundred, in times of
-an idle empty endpoint.
-"""
+"""Longest time for which a request may hold the loop, and one that is let in; largest ratio of the
+99th percentile of `/livez` to that of an idle empty endpoint."""
 
 RECEIVE_S = 4
-"""Time for a part of an answer: long for 256 kB, short for a slice of a batch."""
+"""Time for a part of an answer, s: long for 256 kB, short for a slice of a batch."""
 
 TIMES = 3
-"""How often each is sent alone: the least counts, as a busy machine only adds."""
+"""Number of times that each request is sent alone; the least time counts, as load only adds."""
 
 SHORT = ("exponents: contact-force", "exponents: satellite-bearing")
 """Attacks of the smallest form."""
 
 MOST_MB = 300
-"""Most that the memory of all processes may grow by."""
+"""Largest growth of the memory of all processes, MB."""
 
 BODY, BATCH = 262_144, 1_048_576
-"""The limits of a body and of a batch."""
+"""Limits of a body and of a batch, bytes."""
 
 Body = dict[str, Any]
 
 
 def named(r: random.Random, body: Body) -> Body:
-    """The same, every third time with a field that nobody knows: refused."""
+    """Body with an unknown field one time in three, for which it is refused."""
     if r.random() < 1 / 3:
         body["".join(r.choices(string.ascii_letters, k=r.randint(1, 60)))] = 0
     return body
 
 
 def study(r: random.Random) -> Body:
-    """Many samples and percentiles."""
+    """Tolerance study of many samples and percentiles."""
     body = deepcopy(REQUESTS["tolerance-study"])
     body |= {"samples": int(10 ** r.uniform(4, 5.14)), "crank_angles": 12}
-    body["mechanism"] |= {"pins": 3, "satellites": 1}  # else so many are refused for their pairs
+    body["mechanism"] |= {"pins": 3, "satellites": 1}  # more pairs would be refused
     highest = r.choice([99.0, 99.9, 99.99])
     body["percentiles"] = [round(r.uniform(1, highest), 2) for _ in range(20)]
     return named(r, body)
 
 
 def by_exponent(name: str) -> Callable[[random.Random], Body]:
-    """Forces by a large exponent, of many pairs."""
+    """Function that draws a request with a large force exponent and many pairs."""
 
     def drawn(r: random.Random) -> Body:
         body = deepcopy(REQUESTS[name])
@@ -102,7 +100,7 @@ def by_exponent(name: str) -> Callable[[random.Random], Body]:
 
 
 def largest(name: str) -> Callable[[random.Random], Body]:
-    """What the event loop answers with most."""
+    """Function that draws the largest request that the event loop answers."""
 
     def drawn(r: random.Random) -> Body:
         body = largest_in_the_loop(CALCULATIONS[name], r)
@@ -113,7 +111,7 @@ def largest(name: str) -> Callable[[random.Random], Body]:
 
 
 def target(r: random.Random) -> Body:
-    """An input solved for a result that no answer has."""
+    """Inverse problem for a result that no answer has."""
     name = "".join(r.choices(string.ascii_lowercase, k=r.randint(1, 60)))
     above = r.choice(["", "/checks", "/load_sharing", "/checks/pin_static", "/hertz/half_width_mm"])
     sense = r.choice(["at_least", "at_most", "equals"])
@@ -149,7 +147,7 @@ ATTACKS: dict[str, tuple[str, Callable[[random.Random], Body]]] = {
 
 
 def loop_s(running: Service) -> float:
-    """Seconds that the event loops have calculated: the first threads of the workers."""
+    """Processor time of the event loops, which are the workers' first threads, s."""
     return sum(
         int(Path(f"/proc/{pid}/task/{pid}/schedstat").read_text().split()[0]) / 1e9
         for pid in running.workers()
@@ -159,7 +157,7 @@ def loop_s(running: Service) -> float:
 def held_s(
     running: Service, client: httpx.Client, path: str, body: Body, times: int
 ) -> tuple[float, int]:
-    """How long a request holds the loop, and what it is answered."""
+    """Least time for which a request holds the loop, s, and its status."""
     least = float("inf")
     for _ in range(times):
         before = loop_s(running)
@@ -169,7 +167,7 @@ def held_s(
 
 
 def crowd(url: str, empty: str, asked: list[tuple[str, Body]]) -> tuple[list[float], list[float]]:
-    """How long `/livez` and an idle empty endpoint take while clients send all of it, seconds."""
+    """Times of `/livez` and of an idle empty endpoint while clients send all requests, s."""
     took: tuple[list[float], list[float]] = ([], [])
     done = threading.Event()
 
@@ -177,7 +175,7 @@ def crowd(url: str, empty: str, asked: list[tuple[str, Body]]) -> tuple[list[flo
         while not done.is_set():
             for each, times in zip((f"{url}/livez", empty), took, strict=True):
                 start = time.perf_counter()
-                with urlopen(each, timeout=60) as answer:  # httpx takes as long as it does
+                with urlopen(each, timeout=60) as answer:  # httpx alone takes about as long
                     answer.read()
                 times.append(time.perf_counter() - start)
             time.sleep(0.005)
@@ -195,9 +193,7 @@ def crowd(url: str, empty: str, asked: list[tuple[str, Body]]) -> tuple[list[flo
 
 
 def whole(port: int, r: random.Random, quick: bool) -> bool:
-    """Whether a client that takes some MB a second gets the whole of a large batch, or is told to
-    come again.
-    """
+    """True if a client of some MB a second gets a whole large batch, or status 503."""
     large = REQUESTS["contact-force"] | {"pins": 50, "include": ["curves"]}
     requests = [large | {"samples": r.randint(1000, 2000)} for _ in range(r.randint(5, 15))]
     content = json.dumps({"calculation": "contact-force", "requests": requests}).encode()
@@ -218,20 +214,20 @@ def whole(port: int, r: random.Random, quick: bool) -> bool:
 
 
 def post(path: str, content: bytes, announced: int = 0) -> bytes:
-    """A request, or the beginning of one that announces more."""
+    """Request, or the beginning of one whose header announces more bytes."""
     head = f"POST /api/v1/{path} HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n"
     return f"{head}content-length: {announced or len(content)}\r\n\r\n".encode() + content
 
 
 def answered(port: int, content: bytes, client: str = "127.0.0.1") -> int:
-    """Status of what a client sends, by its address."""
+    """Status of the answer to what a client sends from an address."""
     with socket.create_connection(("127.0.0.1", port), 60, (client, 0)) as connection:
         connection.sendall(content)
         return int(connection.recv(1 << 16).split(b" ", 2)[1] or 0)
 
 
 def uncoded(port: int, r: random.Random) -> bool:
-    """Whether a body in a coding that nobody knows, or by HTTP/1.0 in any, is refused."""
+    """True if a body in an unknown coding, or by HTTP/1.0 in any coding, is refused."""
     old = r.random() < 0.3
     name = "chunked" if old else "".join(r.choices(string.ascii_lowercase, k=r.randint(1, 20)))
     codings = name if old or r.random() < 0.3 else f"{name}{r.choice([', ', ',', ' , '])}chunked"
@@ -241,7 +237,7 @@ def uncoded(port: int, r: random.Random) -> bool:
 
 
 def shared(port: int, r: random.Random) -> bool:
-    """Whether another address has a place beside one that fills all it can with bodies."""
+    """True if another address has a place beside one that fills all its places with bodies."""
     with ExitStack() as opened:
         for _ in range(r.randint(30, 60)):
             connection = opened.enter_context(socket.create_connection(("127.0.0.1", port), 60))
@@ -252,14 +248,14 @@ def shared(port: int, r: random.Random) -> bool:
 
 
 def unfinished(r: random.Random) -> bytes:
-    """A large body whose last byte does not come."""
+    """Request with a large body whose last byte does not come."""
     path, most = r.choice([("hertz", BODY), ("batch", BATCH)])
     size = r.randint(most // 2, most)
     return post(path, b" " * (size - 1), size)
 
 
 def untaken(r: random.Random) -> bytes:
-    """A request for a large answer, alone or many in a batch."""
+    """Request for a large answer, alone or many in a batch."""
     large = REQUESTS["contact-force"] | {"pins": 50, "include": ["curves"]}
     large |= {"samples": r.randint(1000, 10_000)}
     if r.random() < 0.3:
@@ -276,7 +272,7 @@ def piped(r: random.Random) -> bytes:
 
 
 def long_head(r: random.Random) -> bytes:
-    """A head that is too long, in one packet."""
+    """Request with a head that is too long, in one packet."""
     name = "".join(r.choices(string.ascii_letters, k=r.randint(1, 60)))
     return (
         f"GET / HTTP/1.1\r\nhost: x\r\n{name}: {'y' * r.randint(66_000, 99_000)}\r\n\r\n".encode()
@@ -284,7 +280,7 @@ def long_head(r: random.Random) -> bytes:
 
 
 def long_name(r: random.Random) -> bytes:
-    """A batch of a request with a name of nearly its size."""
+    """Batch of a request with a field name of nearly its size."""
     name = "".join(r.choices(string.ascii_letters, k=20)) + "x" * r.randint(BODY, BATCH - 1000)
     return post("batch", json.dumps({"calculation": "hertz", "requests": [{name: 0}]}).encode())
 
@@ -296,15 +292,13 @@ CROWDS: dict[str, tuple[int, bool, Callable[[random.Random], bytes]]] = {
     "heads of 66 kB and more": (40, True, long_head),
     "names of 1 MB": (50, True, long_name),
 }
-"""Attacks on memory and loop: how many connections, whether they wait for an answer, what each
-sends.
-"""
+"""Attacks on memory and loop: number of connections, True if they wait for an answer, content."""
 
 
 def crowded(
     running: Service, connections: int, waits: bool, sent: list[bytes], looks: int
 ) -> tuple[float, float]:
-    """How much memory grows by while all connections are open, MB; the loop's time of each, s."""
+    """Growth of memory while all connections are open, MB, and loop time of each, s."""
     before, held = memory_mb(running), loop_s(running)
     most = before
     with ExitStack() as opened:
@@ -313,7 +307,7 @@ def crowded(
             connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 12)
             connection.settimeout(0.5)
             connection.connect(("127.0.0.1", running.port))
-            with suppress(OSError):  # it is refused before it is whole, or not read
+            with suppress(OSError):  # the service may refuse it early or not read it
                 connection.sendall(content)
                 if waits:
                     connection.settimeout(60)
@@ -327,12 +321,12 @@ def crowded(
 
 
 def memory_mb(running: Service) -> float:
-    """Memory of all processes of the service, each shared page counted once."""
+    """Memory of all processes of the service, each shared page counted once, MB."""
     return sample(running.pid, 0.0).memory_mb
 
 
 def first_with_clearance(client: httpx.Client) -> float:
-    """How much longer the first design with clearance takes than the next, s."""
+    """Time by which the first design with clearance takes longer than the next, s."""
     took = []
     for _ in range(2):
         start = time.perf_counter()
@@ -342,7 +336,7 @@ def first_with_clearance(client: httpx.Client) -> float:
 
 
 def kept(r: random.Random) -> bool:
-    """Whether a file and a live socket are left as they are."""
+    """True if the service refuses to start on a file or a live socket and leaves it alone."""
     with tempfile.TemporaryDirectory() as place, socket.socket(socket.AF_UNIX) as live:
         name = "".join(r.choices(string.ascii_letters + " .", k=r.randint(1, 40)))
         path = Path(place, f"{name}x")
@@ -364,7 +358,7 @@ def kept(r: random.Random) -> bool:
 def faults(
     variants: int, seed: int, smallest: bool, asked_of: Sequence[int] | None
 ) -> Iterator[str]:
-    """Send all, say what came of it, and what did not hold."""
+    """Send all attacks and print their results; yield each fault."""
     r = random.Random(seed)
     with service("app.serve", running=asked_of) as running:
         url = f"http://127.0.0.1:{running.port}"

@@ -1,8 +1,8 @@
-"""One batch of 1,000 requests beside ten of 100, of every calculation, as ratios in one run.
+"""Cost of one batch of 1,000 requests over ten of 100, for every calculation, in one run.
 
 The service runs in a process of its own and takes both in turn, in rounds; the quickest of each
-counts. Of each calculation its example is asked, of the load sharing one position; besides,
-answers with curves, and requests that are all refused.
+counts. The requests are the example of each calculation, one position of the load sharing, answers
+with curves, and requests that are all refused.
 """
 
 import sys
@@ -22,7 +22,7 @@ from benchmarks.service import CURVES, running
 TOGETHER, PARTS, ROUNDS = 1000, 10, 5
 
 MOST = 1.2
-"""Ratio up to which a large batch costs what small ones do."""
+"""Largest ratio that counts as no more expensive than small batches."""
 
 SHAPES: dict[str, tuple[str, dict[str, Any]]] = {name: (name, REQUESTS[name]) for name in BATCHED}
 SHAPES["load-sharing"] = ("load-sharing", REQUESTS["load-sharing"] | {"include": ["positions"]})

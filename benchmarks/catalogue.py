@@ -1,7 +1,7 @@
-"""What the service says of real reducers: their rated torque over the largest that it allows.
+"""Rated torque of real reducers over the largest torque that the service allows.
 
-The reducers are those of `tests/inputs/catalogue.json`, by catalogues, data sheets and papers.
-Writes docs/catalogue.md. Run by `make catalogue`.
+The reducers of `tests/inputs/catalogue.json` come from catalogues, data sheets and papers. `make
+catalogue` writes docs/catalogue.md.
 """
 
 from contextlib import closing
@@ -40,7 +40,7 @@ Answer = dict[str, Any]
 
 
 def judged(service: Service, body: Answer) -> tuple[Answer, str]:
-    """Answer of a design, with the usual clearance where none is known, and that clearance."""
+    """Answer for a design, with the usual clearance if none is known, and the clearance used."""
     status, answer = service.post(
         "crank-planetary", body | {"include": ["checks", "largest_torque", "usual_fit"]}
     )
@@ -63,7 +63,7 @@ def judged(service: Service, body: Answer) -> tuple[Answer, str]:
 
 
 def row(service: Service, reducer: Answer) -> tuple[str, float | None]:
-    """A row of the table, and the rating over the largest torque."""
+    """Row of the table, and rating over largest torque."""
     answer, clearance = judged(service, reducer["body"])
     titles = {check["code"]: check["title"] for check in answer["checks"]}
     largest = answer.get("largest_torque_Nm")
@@ -85,7 +85,7 @@ def row(service: Service, reducer: Answer) -> tuple[str, float | None]:
 
 
 def main(smallest: bool) -> None:
-    """Judge all reducers and write the report; of the smallest form the first, without one."""
+    """Judge all reducers and write the report; in the smallest form, only judge the first."""
     reducers = orjson.loads(REDUCERS.read_bytes())
     with closing(Service()) as service:
         rows = [row(service, reducer) for reducer in reducers[: 1 if smallest else None]]

@@ -1,12 +1,11 @@
-"""Does this revision answer as another one did? `make compare BASE=rev`.
+"""Comparison of the answers of this revision with those of another: `make compare BASE=rev`.
 
-A corpus of requests (tests/corpus) is asked of that revision, in a work tree of its own, and of
-this one. Codes, verdicts, pointers and all that is no number have to be the same, numbers within
-the class of their field, whatever error is stated; texts for people are counted only. A code that
-says by `was` that it is the other one is the same, and a warning that a check of the answer says
-instead is none: both are counted. A table says by case how many numbers were compared and how much
-processor time both took. The description's differences are printed. It ends with 1 where anything
-differs.
+Both revisions answer a corpus of requests (tests/corpus), the other one in a work tree of its own.
+Codes, verdicts, pointers and all other values that are no numbers have to be equal, numbers agree
+within the class of their field, whatever error is stated; texts for people are only counted. A code
+equals the one that its `was` names, and a warning may become a check of the answer: both are
+counted. A table has the numbers compared and the processor times by case. Differences of the API's
+description are printed. The status is 1 if anything differs.
 """
 
 import argparse
@@ -34,18 +33,18 @@ LEFT_OUT = {
     *("pair_error", "peak_error", "play_error_arcmin", "ratio_error", "ripple_error_Nm"),
     *("room_error_mm", "rotation_error_arcmin", "stiffness_error"),
 }
-"""What a number cost and the errors that are stated for it, which are no part of it."""
+"""Fields of cost and stated error, which are not compared."""
 
 TEXTS = {"detail", "title", "why", "formula", "source", "method"}
-"""What is said to people: it is counted where it differs."""
+"""Texts for people; differences are only counted."""
 
 NAMED = {"params", "pointer"}
-"""What such a text names: it is counted where only one of both says it beside its text."""
+"""Values that a text names; counted if only one answer has them beside its text."""
 
 POSITION, EXTREME, DRAWN, PLACE = 1e-9, 1e-6, 1e-5, 1e-3
-"""Relative differences that numbers may have: of a position and of all else; of extremes over a
-turn and what follows from them; rounded to six digits; the crank angle of an extreme, which is
-known to the root of that."""
+"""Largest relative differences of numbers: of a position and by default; of extremes over a turn
+and results from them; of numbers rounded to six digits; of the crank angle of an extreme, which is
+known to the root of the precision of the extreme."""
 
 CLASSES = {
     **dict.fromkeys(
@@ -64,17 +63,17 @@ CLASSES = {
         ("peak_crank_angle_deg", "least_room_crank_angle_deg", "blocked_crank_deg", "at"), PLACE
     ),
 }
-"""Fields, sections with all that is in them, and requests by their path, whose numbers are no
-positions; the widest that a number stands in counts."""
+"""Fields, sections with their contents, and paths of requests whose numbers are not of a position.
+The widest class counts of all in which a number stands."""
 
 FLOOR = 1e-4
 """Size below which a number, or the largest of its list, counts as one of this size."""
 
 COLUMNS = ("requests", "answered", "numbers", "texts", "before", "after")
-"""What is said of each case: numbers that were compared, texts that differ, processor time, s."""
+"""Columns of the table: numbers compared, texts that differ, processor times, s."""
 
 SHOWN = 12
-"""Differences of a request, and lines of the description, that are shown."""
+"""Largest number of differences printed of a request, and of lines of the description."""
 
 
 async def _answers(requests: list[dict[str, Any]]) -> dict[str, Any]:
@@ -117,20 +116,8 @@ def ask(requests: str) -> None:
 
 
 def answers(folder: Path, requests: Path) -> dict[str, Any]:
-    """Answers of the revision in a folder.
-
-    Parameters
-    ----------
-    folder : Path
-        Its work tree.
-    requests : Path
-        The requests, as JSON.
-
-    Returns
-    -------
-    dict
-        Its `answers`, what each was `told` and its `seconds`; its `description` of the API, and
-        what codes of warnings `was` before.
+    """Result of a revision in its work tree: `answers`, each with what was `told` and its
+    `seconds`, the API's `description`, and earlier codes of warnings, `was`.
     """
     run = partial(
         subprocess.run,
@@ -141,35 +128,21 @@ def answers(folder: Path, requests: Path) -> dict[str, Any]:
         text=True,
         start_new_session=True,
     )
-    run([sys.executable, "-m", "app.compiled"])  # studies say it where their loops are not at hand
+    run([sys.executable, "-m", "app.compiled"])  # studies say if loops are not compiled
     done = run([sys.executable, __file__, "--ask", str(requests)])
     found: dict[str, Any] = json.loads(done.stdout)
     return found
 
 
 class Difference:
-    """What two answers say otherwise.
-
-    Parameters
-    ----------
-    was : dict of str to str, optional
-        Which code of warnings a code replaces.
-
-    Attributes
-    ----------
-    differences : list of str
-        What has to be the same and is not, by its place.
-    numbers, worded : int
-        Numbers that were compared, and texts that differ.
-    renamed, left_to_checks : Counter of str
-        Codes that are called otherwise now, and warnings that checks say.
-    """
+    """Differences of two answers; `was` names the earlier code of each renamed warning."""
 
     def __init__(self, was: dict[str, str] | None = None) -> None:
         self.now = {old: code for code, old in (was or {}).items()}
-        self.differences: list[str] = []
-        self.numbers = self.worded = 0
+        self.differences: list[str] = []  # parts that should be equal and are not, by place
+        self.numbers = self.worded = 0  # numbers compared, texts that differ
         self._said: set[str] = set()
+        # Codes with a new name, and warnings that checks say now.
         self.renamed, self.left_to_checks = Counter[str](), Counter[str]()
 
     def compare(
@@ -180,18 +153,8 @@ class Difference:
         error: float = POSITION,
         largest: float = FLOOR,
     ) -> None:
-        """Compare two parts of answers.
-
-        Parameters
-        ----------
-        before, after : object
-            What both say.
-        place : str
-            Where it stands.
-        error : float
-            Relative difference that its numbers may have.
-        largest : float
-            Largest number of the list that it is in.
+        """Compare two parts of answers at a place, with a relative error of their numbers;
+        ``largest`` is the largest number of their list.
         """
         if isinstance(before, dict) and isinstance(after, dict):
             after = self._as_before(before, after)
@@ -221,7 +184,7 @@ class Difference:
             self.differences.append(f"{place}: {before!r} -> {after!r}"[:300])
 
     def _as_before(self, before: Any, after: Any) -> Any:
-        """What is coded, by the code that it was called before, where it says that."""
+        """Coded part under its earlier code, if it names one."""
         if "was" not in after or "was" in before:
             return after
         known = {name: value for name, value in after.items() if name != "was"}
@@ -231,7 +194,7 @@ class Difference:
         return known
 
     def _unrepeated(self, before: Any, after: Any) -> Any:
-        """An answer, or a section of one, without warnings that checks of the other say."""
+        """Answer, or section of one, without warnings that checks of the other say."""
         for each in after.get("checks") or ():
             self._said |= {each["code"], each.get("reason", each)["code"]}
         warnings = before.get("warnings")
@@ -254,14 +217,14 @@ def _number(value: Any) -> bool:
 
 
 def _largest(value: Any) -> float:
-    """The largest number of a list, of lists in it too, in size."""
+    """Largest size of a number in a list, lists in it included."""
     if isinstance(value, list):
         return max(map(_largest, value), default=0.0)
     return abs(value) if _number(value) else 0.0
 
 
 def described(before: Any, after: Any) -> Iterator[str]:
-    """Lines of the description of the API that differ."""
+    """Lines of the API's description that differ."""
     pages = (json.dumps(each, indent=1, sort_keys=True).split("\n") for each in (before, after))
     for line in difflib.unified_diff(*pages, "before", "after", n=0, lineterm=""):
         if not line.startswith("@@"):
@@ -269,7 +232,7 @@ def described(before: Any, after: Any) -> Iterator[str]:
 
 
 def main(base: str, smallest: bool = False) -> int:
-    """Compare, and say what differs; 1 if anything does."""
+    """Compare both revisions and print differences; 1 if there are any."""
     requests = json.loads(CORPUS.read_text(encoding="utf-8"))
     if smallest:
         requests = requests[::40]

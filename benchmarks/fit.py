@@ -1,5 +1,6 @@
-"""The room of pins in their holes against plain distances, over random mechanisms with misfits from
-1 um to 10 mm: `make accuracy` runs it.
+"""Check of the room of pins in their holes by plain distances: `make accuracy` runs it.
+
+The random mechanisms have misfits from 1 um to 10 mm.
 """
 
 import math
@@ -13,11 +14,11 @@ from tests.inputs.misfits import drawn
 from tests.oracles.room import room
 
 TOLERANCE = 3e-8
-"""Of the room, m: the scan of the distances is no finer."""
+"""Largest difference of the room, m; the scan of the distances is no finer."""
 
 
 def misses(mechanisms: int, seed: int = 20261125) -> list[str]:
-    """What is said of one position of each mechanism and is not so."""
+    """Wrong rooms and wrong windows at one position of each random mechanism, in words."""
     found = []
     for index in range(mechanisms):
         rng = random.Random(seed + index)
@@ -34,7 +35,7 @@ def misses(mechanisms: int, seed: int = 20261125) -> list[str]:
 
 
 def main(mechanisms: int) -> int:
-    """Print every miss, and how many there are; 1 if there is one."""
+    """Print every miss and their number; 1 if there is one."""
     found = misses(mechanisms)
     for each in found:
         print(each)

@@ -1,9 +1,8 @@
-"""Does the default of every ideal calculation that has several methods lie on the front of error
-against run time?
+"""Check that the default method of ideal calculations is on the front of error against run time.
 
-Over a set of random designs of ordinary size, a method beats the default where its largest error
-is less than half and its median run time less than half of the default's. Errors below a rounding
-error count as one. Adds its table to docs/numerics.md; run by `make accuracy`.
+A method beats the default over random designs of ordinary size if its largest error and its median
+run time are both less than half of the default's. Errors below a rounding error count as one. `make
+accuracy` runs it and adds its table to docs/numerics.md.
 """
 
 import math
@@ -84,7 +83,7 @@ STUDIES: dict[str, Callable[[random.Random], WorkPrecision]] = {
 
 
 def _measured(points: list[WorkPoint]) -> tuple[float, float]:
-    """Largest error and median run time of a method over the designs."""
+    """Largest error and median run time, us, of a method over the designs."""
     error = max(max(point.relative_error, ROUNDING) for point in points)
     return error, 1e6 * statistics.median(point.run_time for point in points)
 
@@ -126,7 +125,7 @@ def main(designs: int = DESIGNS) -> int:
             line += "none | - | - | "
         lines.append(line + ("; ".join(better) or "no") + " |")
     print("\n".join(lines[7:]))
-    if designs < DESIGNS:  # run times of a few designs tell nothing
+    if designs < DESIGNS:  # too few for run times
         return 0
     before = REPORT.read_text(encoding="utf-8").partition(HEADING)[0].rstrip()
     REPORT.write_text("\n".join([before, "", *lines, ""]), encoding="utf-8")

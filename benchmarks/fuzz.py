@@ -1,4 +1,4 @@
-"""Try to break the service: 100,000 designs, hostile numbers and broken bodies.
+"""Attempts to break the service: 100,000 designs, hostile numbers and broken bodies.
 
 Every answer is checked (tests/inputs/fuzz.py). Run by `make fuzz`; the number of requests and the
 seed may be given: `python -m benchmarks.fuzz 5000 7`.
@@ -19,12 +19,12 @@ PROCESSES = 2
 
 
 def run(requests: int, seed: int) -> Report:
-    """Send random requests to a service of its own, one after another."""
+    """Send random requests to a new service, one after another."""
     return asyncio.run(Fuzz().run(requests, seed))
 
 
 def main(requests: int, seed: int | None) -> int:
-    """Run the fuzz in several processes and say what came of it; 1 if anything broke."""
+    """Run the fuzz in several processes and print a report; 1 if anything broke."""
     seed = random.randrange(10**6) if seed is None else seed
     print(f"{requests} requests, seed {seed}", flush=True)
     report, start = Report(), time.perf_counter()

@@ -1,10 +1,10 @@
-"""Are the stated errors true? Requests as people type them, through the service, at 40 digits.
+"""Check of the stated errors: requests as people type them, through the service, at 40 digits.
 
 Half of the cases are practical, half extreme; the exact values are those of the decimals in the
-request (tests/oracles/answers). Writes docs/accuracy.md: for each calculation how often all numbers
-of an answer are as good as it states, and the largest errors. Run by `make accuracy`; the number of
-cases may be given: `python -m benchmarks.honesty 1000`, and which rows of the table are made anew:
-`--only pin-strength --only crankshaft`.
+request (tests/oracles/answers). `make accuracy` writes docs/accuracy.md: for each calculation the
+share of answers all of whose numbers are as good as stated, and the largest errors. The number of
+cases may be given, `python -m benchmarks.honesty 1000`, and the rows of the table to renew, `--only
+pin-strength --only crankshaft`.
 """
 
 import re
@@ -46,24 +46,24 @@ largest measured | largest stated |
 
 
 def chunk(calculations: Sequence[Calculation], seeds: range) -> list[list[Outcome]]:
-    """Outcomes of the calculations for these seeds; cases of one seed share what is exact."""
+    """Outcomes of the calculations for these seeds; cases of one seed share exact values."""
     found: list[list[Outcome]] = [[] for _ in calculations]
     for seed in seeds:
         for own, calculation in zip(found, calculations, strict=True):
-            if seed // 2 % calculation.one_in == 0:  # of the practical and the extreme ones
+            if seed // 2 % calculation.one_in == 0:  # both a practical and an extreme case
                 own.append(outcome(calculation, seed))
     return found
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """How the stated errors of a calculation held."""
+    """Outcomes of a calculation against the errors that it states."""
 
     calculation: Calculation
     outcomes: list[Outcome]
 
     def half(self, extreme: bool) -> list[Outcome]:
-        """Answered cases of a half."""
+        """Answered cases of the extreme or the practical half."""
         return [each for each in self.answered if each.extreme is extreme]
 
     @property
@@ -73,8 +73,8 @@ class Verdict:
 
     @property
     def honest(self) -> bool:
-        """Whether every practical case is answered, every number checked, every statement true, and
-        no practical one beyond what the method promises.
+        """True if every practical case is answered, every number is checked, every stated error is
+        true, and none of a practical case exceeds the class of the method.
         """
         answered = not any(
             each.refused or each.stated >= NOTHING_KNOWN
@@ -86,7 +86,7 @@ class Verdict:
         return answered and true and kept
 
     def row(self) -> str:
-        """Its row of the table."""
+        """Row of the table."""
         cases, halves = self.answered, (self.half(False), self.half(True))
         holds = " | ".join(map(share, (cases, *halves)))
         nothing = sum(each.stated >= NOTHING_KNOWN for each in cases)
@@ -97,7 +97,7 @@ class Verdict:
         )
 
     def faults(self) -> str:
-        """Which numbers are false, how many, by how much; and the worst request."""
+        """False numbers, how many, by how much, with the worst request, in words."""
         wrong = Counter(pattern(place) for each in self.answered for place in each.false)
         text = ""
         for place, count in wrong.most_common():
@@ -128,13 +128,13 @@ class Verdict:
 
 
 def share(outcomes: list[Outcome]) -> str:
-    """Of how many cases all numbers are as stated."""
+    """Share of the cases in which all numbers are as good as stated, in words."""
     held = sum(not each.false for each in outcomes) / len(outcomes)
     return "100 %" if held == 1 else f"{100 * held:.2f} %"
 
 
 def report(verdicts: list[Verdict]) -> str:
-    """The table, and what it does not speak of."""
+    """Text of the report: the table, and numbers for which no error is stated."""
     unbounded = {
         f"- {verdict.calculation.path}: {place[1:]}, {known}\n": None  # once each
         for verdict in verdicts
@@ -150,7 +150,7 @@ def report(verdicts: list[Verdict]) -> str:
 
 
 def renewed(verdicts: list[Verdict], text: str) -> str:
-    """A report with the rows of these in the place of their older ones."""
+    """Report with the rows of these verdicts in place of older ones."""
     for verdict in verdicts:
         older = rf"^\| {verdict.calculation.name} \|.*\n"
         text = re.sub(older, verdict.row(), text, count=1, flags=re.MULTILINE)
@@ -158,9 +158,7 @@ def renewed(verdicts: list[Verdict], text: str) -> str:
 
 
 def main(cases: int, only: Collection[str] | None = None, smallest: bool = False) -> int:
-    """Run all, or those of these paths, write the report, and return 1 if a statement is not
-    honest.
-    """
+    """Run all calculations, or some paths, and write the report; 1 if a statement is false."""
     start, size = time.perf_counter(), max(2, min(50, cases // 4))
     calculations = [each for each in CALCULATIONS if only is None or each.path in only]
     found: list[list[Outcome]] = [[] for _ in calculations]

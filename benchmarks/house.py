@@ -1,8 +1,9 @@
-"""What the code weighs: the numbers that every larger change reports, before and after.
+"""Weight of the code: numbers that every larger change reports, before and after.
 
-Lines by room, lengths of functions, the way of requests through the code, and the processor time
-of the page's cycloid design, also over that of a loop of Python that runs beside. Functions are
-counted as Python 3.11 enters them, without comprehensions. `--start` measures the first start too.
+The numbers are lines by room, lengths of functions, the way of requests through the code, and the
+processor time of the page's cycloid design, also over that of a loop of Python that runs beside it.
+Functions are counted as Python 3.11 enters them, without comprehensions. `--start` also measures
+the first start.
 """
 
 import argparse
@@ -31,7 +32,7 @@ from core.output.turn import Turn
 ROOT = Path(__file__).parent.parent
 ROOMS = ("core", "app", "static", "tests", "benchmarks", "clients", "docs")
 OWN = (f"{ROOT}/app/", f"{ROOT}/core/")
-"""What is the product's, in Python."""
+"""Folders of the product's Python code."""
 KINDS = (".py", ".js", ".mjs", ".css", ".html", ".md")
 LARGE, LONG, WIDE = 500, 60, 100
 """Lines of code from which a file is named and a function is counted; characters of a line."""
@@ -39,10 +40,10 @@ LARGE, LONG, WIDE = 500, 60, 100
 COMPREHENSIONS = {"<listcomp>", "<setcomp>", "<dictcomp>", "<genexpr>"}
 
 ROUNDS = 3
-"""Times that a request is timed."""
+"""Number of times that a request is timed."""
 
 MECHANISM = {"mechanism": {"pins": 6, "ratio": 20}}
-"""The smallest request of the whole reducer that is answered."""
+"""Smallest request of the whole reducer that is answered."""
 
 STRESSED = MECHANISM | {
     "load": {"output_torque_Nm": 200, "pin_circle_radius_mm": 40},
@@ -53,7 +54,7 @@ STRESSED = MECHANISM | {
         "hole_clearance_mm": 0,
     },
 }
-"""The smallest one whose contacts are judged."""
+"""Smallest request of the whole reducer whose contacts are judged."""
 
 
 def files(room: str) -> Iterator[Path]:
@@ -63,7 +64,7 @@ def files(room: str) -> Iterator[Path]:
 
 
 def documented(tree: ast.AST) -> set[int]:
-    """Numbers of the lines that are docstrings, or words under a name."""
+    """Numbers of the lines of docstrings and of strings below constants."""
     found = set[int]()
     for node in ast.walk(tree):
         match node:
@@ -73,7 +74,7 @@ def documented(tree: ast.AST) -> set[int]:
 
 
 def code_lines(path: Path) -> set[int]:
-    """Numbers of the lines that are neither empty nor words; of a Python file also no comments."""
+    """Numbers of the lines that are not empty and, in Python, neither words nor comments."""
     text, python = path.read_text(), path.suffix == ".py"
     words = documented(ast.parse(text)) if python else set[int]()
     return {
@@ -84,7 +85,7 @@ def code_lines(path: Path) -> set[int]:
 
 
 def weight(room: str) -> str:
-    """Lines of a room: all, of code, of docstrings, and of Python those that are too wide."""
+    """Row of a room: all lines, lines of code, of docstrings, and too wide ones of Python."""
     total = code = words = wide = 0
     for path in files(room):
         text = path.read_text()
@@ -96,7 +97,7 @@ def weight(room: str) -> str:
 
 
 def lengths(room: str) -> list[tuple[int, str]]:
-    """Lines of code of each function of a room, and its place."""
+    """Lines of code of each function of a room, and the place of the function."""
     found = []
     for path in files(room):
         code = code_lines(path)
@@ -108,7 +109,7 @@ def lengths(room: str) -> list[tuple[int, str]]:
 
 
 def optionals() -> tuple[int, int]:
-    """How often something is asked whether it is None, and is said that it may be."""
+    """Number of comparisons with None, and of annotations with None, in core and app."""
     asked = said = 0
     for room in ("core", "app"):
         for path in files(room):
@@ -128,7 +129,7 @@ def none(node: ast.expr) -> bool:
 
 
 def widest_union() -> tuple[int, str]:
-    """Most types that a function or a property of core may return."""
+    """Largest number of types that a function of core returns, and its place."""
     widest = (1, "")
     for path in files("core"):
         for node in ast.walk(ast.parse(path.read_text())):
@@ -139,28 +140,28 @@ def widest_union() -> tuple[int, str]:
 
 
 def asked(request: dict[str, Any]) -> Callable[[], bytes]:
-    """What answers a request of the whole reducer, from its bytes to those of its answer."""
+    """Function that answers a request of the whole reducer, from bytes to bytes."""
     from app.endpoint import answered, encoded, read_body
     from app.registry import CALCULATIONS
     from app.settings import Settings
 
     calculation, sent = CALCULATIONS["crank-planetary"], json.dumps(request).encode()
-    settings = Settings(max_seconds=600)  # which the service reads once
+    settings = Settings(max_seconds=600)  # the service reads them once
     return lambda: encoded(answered(calculation, read_body(calculation, sent, settings)))
 
 
 class Way(NamedTuple):
-    """What a request enters of the product, once all is loaded."""
+    """Product's code that a request enters, once all is loaded."""
 
     files: int
     functions: int
     calls: int
-    jumps: int  # calls from another file than the caller's
-    positions: int  # that turns solve
+    jumps: int  # calls into another file than the caller's
+    positions: int  # positions that turns solve
 
 
 def way(request: dict[str, Any]) -> Way:
-    """The way of a request through the code."""
+    """Way of a request through the code."""
     answer = asked(request)
     seen: Counter[tuple[str, str, int]] = Counter()
     within: list[str] = []
@@ -212,7 +213,7 @@ def cost(request: dict[str, Any], rounds: int) -> tuple[float, float]:
 
 
 def costly() -> dict[str, dict[str, Any]]:
-    """What is timed: the page's cycloid design in its forms."""
+    """Requests that are timed: the page's cycloid design in its forms."""
     from app.calculations.crank_planetary_sections import Section
 
     whole = next(each["input"] for each in EXAMPLES if each["id"] == "cycloid")
@@ -222,7 +223,7 @@ def costly() -> dict[str, dict[str, Any]]:
         "as it is typed": whole,
         "all checks": whole | {"include": ["checks"]},
     }
-    if "largest_torque" in get_args(Section):  # else it is in each answer
+    if "largest_torque" in get_args(Section):  # an older revision has it in each answer
         found["all checks, largest torque"] = whole | {"include": ["checks", "largest_torque"]}
     return found | {"fixes at 500 N*m": heavy | {"include": ["checks", "fixes"]}}
 
@@ -245,7 +246,7 @@ def first_start() -> tuple[float, float]:
 
 
 def codes() -> tuple[int, list[str]]:
-    """Codes that the service may say, and those that stand in several tables."""
+    """Number of codes that the service may say, and codes that stand in several tables."""
     import httpx
 
     from app.main import app
@@ -278,7 +279,7 @@ def page_circles() -> list[str]:
 
 
 def print_lines(smallest: bool) -> None:
-    """Lines by room, or of a small one, and lengths of core's functions."""
+    """Print lines by room, in the smallest form of one, and lengths of core's functions."""
     print("| lines of | all | code | docstrings | above 100 |\n|---|---|---|---|---|")
     tests = [f"tests/{path.name}" for path in sorted((ROOT / "tests").iterdir()) if path.is_dir()]
     for room in ["clients"] if smallest else (*ROOMS, *tests):
@@ -292,7 +293,7 @@ def print_lines(smallest: bool) -> None:
 
 
 def print_requests(smallest: bool, start: bool) -> None:
-    """The way and the cost of requests, with compiled loops."""
+    """Print way and cost of requests, with compiled loops."""
     timed = costly()
     ways = {"of a mechanism": MECHANISM, "of its stress": STRESSED}
     ways["of the cycloid design"] = timed["as it is typed"]

@@ -1,11 +1,10 @@
 """Load on the running service: 1,000 connections, a worker killed, the service stopped.
 
-Starts the service with two workers on this machine and asks from 1,000 connections at once, each
-sending its next request when the last is answered. Counts what was answered, what was not, and
-what was refused: in quiet, with one worker killed (SIGKILL), with ten processes for long
-calculations killed one after the other, while all is stopped (SIGTERM).
-The rate is a ratio to an empty FastAPI endpoint in the same run. `make load`; the number of
-connections may be given: `python -m benchmarks.load 200`.
+Two workers on this machine are asked from 1,000 connections at once, each of which sends its next
+request when the last is answered. Answered, unanswered and refused requests are counted in quiet,
+with one worker killed (SIGKILL), with ten processes for long calculations killed one after the
+other, and while all is stopped (SIGTERM). The rate is a ratio to an empty FastAPI endpoint in the
+same run. `make load`; the number of connections may be given: `python -m benchmarks.load 200`.
 """
 
 import asyncio
@@ -57,40 +56,24 @@ HERTZ = _post(
 )
 CRANK_PLANETARY = _post("/api/v1/crank-planetary", EXAMPLES[0]["input"])
 LONG = _post("/api/v1/cyclogram", {"pins": 100, "satellites": 12, "ratio": 20})
-"""A calculation that leaves the event loop."""
+"""Request of a calculation outside the event loop."""
 
 ASKING_LONG = 40
-"""Connections that ask for it: what a worker lets wait of one client, and less."""
+"""Connections that ask for LONG: no more than a worker lets wait of one client."""
 
 KILLED = 10
 
 
 @dataclass(slots=True)
 class Count:
-    """What came of the requests of a run.
+    """Outcomes of the requests of a run."""
 
-    Attributes
-    ----------
-    statuses : Counter
-        Whole answers by HTTP status.
-    unanswered : int
-        Requests whose connection closed before a byte of the answer came.
-    not_taken : int
-        Those of them that were the first on their connection: no worker had taken it.
-    cut : int
-        Requests whose answer stopped midway.
-    refused : int
-        Connections that were not taken.
-    longest : float
-        Longest time to a whole answer, s.
-    """
-
-    statuses: Counter[int] = field(default_factory=Counter)
-    unanswered: int = 0
-    not_taken: int = 0
-    cut: int = 0
-    refused: int = 0
-    longest: float = 0.0
+    statuses: Counter[int] = field(default_factory=Counter)  # whole answers by HTTP status
+    unanswered: int = 0  # requests whose connection closed before a byte of the answer
+    not_taken: int = 0  # unanswered ones, first on a connection that no worker had taken
+    cut: int = 0  # requests whose answer stopped midway
+    refused: int = 0  # connections that were not taken
+    longest: float = 0.0  # longest time to a whole answer, s
 
     def __str__(self) -> str:
         answered = ", ".join(f"{status}: {n}" for status, n in sorted(self.statuses.items()))
@@ -102,7 +85,7 @@ class Count:
 
 
 class Connection(asyncio.Protocol):
-    """A connection that asks again as soon as it is answered."""
+    """Connection that asks again as soon as it is answered."""
 
     def __init__(self, request: bytes, count: Count, running: Callable[[], bool]) -> None:
         self.request, self.count, self.running = request, count, running
@@ -154,21 +137,8 @@ async def load(
     seconds: float,
     after: Sequence[tuple[float, Callable[[], None]]] = (),
 ) -> tuple[Count, float]:
-    """Ask from many connections for some seconds; closed ones are opened anew.
-
-    Parameters
-    ----------
-    port, request, connections, seconds
-        Whom to ask, what, from how many connections, for how long.
-    after : sequence of (float, callable)
-        What to do meanwhile, each after how many seconds.
-
-    Returns
-    -------
-    count : Count
-        What came of it.
-    rate : float
-        Answers a second.
+    """Ask from many connections for some seconds, with actions ``after`` some of them; return the
+    outcomes and the answers a second. Closed connections are opened anew.
     """
     count, loop = Count(), asyncio.get_running_loop()
     start = time.perf_counter()
@@ -196,29 +166,29 @@ async def load(
 
 @dataclass(slots=True)
 class Service:
-    """A running service: its parent process and its port; the former to stop it, if it is ours."""
+    """Running service by its parent process and port; ``process`` is None if others started it."""
 
     pid: int
     port: int
     process: subprocess.Popen[bytes] | None = None
 
     def workers(self) -> list[int]:
-        """Process ids of the workers; of one alone it is the parent's."""
+        """Process ids of the workers; of a single worker the parent's."""
         return _children(self.pid, b"spawn_main") or [self.pid]
 
     def calculators(self) -> list[int]:
-        """Process ids of what calculates for the workers: what their fork servers have started."""
+        """Process ids of calculating processes, which the fork servers of workers started."""
         servers = [each for worker in self.workers() for each in _children(worker, b"forkserver")]
         return [each for server in servers for each in _children(server)]
 
     def kill_calculator(self) -> None:
-        """Kill one of them."""
+        """Kill one of the calculating processes."""
         if calculators := self.calculators():
             os.kill(random.choice(calculators), signal.SIGKILL)
 
 
 def _children(pid: int, called: bytes = b"") -> list[int]:
-    """Processes that another one has started, by a part of their command."""
+    """Process ids of the children of a process whose command contains a part."""
     started = []
     with contextlib.suppress(FileNotFoundError):
         for listed in Path(f"/proc/{pid}/task").glob("*/children"):
@@ -238,8 +208,8 @@ def service(
     workers: int = WORKERS,
     folder: Path = ROOT,
 ) -> Iterator[Service]:
-    """Start a service of the checkout in a folder on a free port, and stop it at the end; or take
-    one that is running, by its process and port.
+    """Start a service from a folder on a free port and stop it at the end, or yield the running one
+    with this process and port.
     """
     if running:
         yield Service(*running)
@@ -257,7 +227,7 @@ def service(
             if time.monotonic() > deadline or process.poll() is not None:
                 raise TimeoutError("the service does not start")
             time.sleep(0.1)
-        time.sleep(2)  # the other worker too
+        time.sleep(2)  # until all workers answer
         yield started
     finally:
         process.terminate()
@@ -273,7 +243,7 @@ def _answers(port: int) -> bool:
 
 
 def main(connections: int, seconds: float = SECONDS) -> int:
-    """Run the load and say what was lost; 1 if the service did not hold."""
+    """Run the load and print losses; 1 if the service did not hold."""
     _, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (min(hard, 4 * connections + 1024), hard))
 

@@ -1,12 +1,12 @@
-"""Does a test fail where a formula is changed? Mutations, drawn by a seed over all of core.
+"""Mutation test: a seed draws changes of formulas in core, and each should make a test fail.
 
 `make mutations BASE=rev SEED=number` changes one operator, constant, comparison or sign of that
-revision at a time, and runs the tests that reach it, the quickest first, until the first fails.
-A change that is drawn once is drawn again in a later revision where its function still has it.
+revision at a time, and runs the tests that reach it, the quickest first, until the first fails. A
+change that is drawn once is drawn again in a later revision if its function still has it.
 
-Tests of a server and of a page are left out, as what they reach is not seen. What is stopped can
-be started again; it goes on where it was, in ``build/mutations``. This file is also the plugin by
-which pytest notes what each test reaches.
+Tests of a server and of a page are left out, as the code that they reach is not seen. A run that is
+stopped goes on where it was, in ``build/mutations``. This file is also the plugin by which pytest
+notes what each test reaches.
 """
 
 import argparse
@@ -32,16 +32,16 @@ import pytest
 
 ROOT = Path(__file__).parent.parent
 COUNT, SEED, FIRST = 60, 33, 40
-"""Mutations, the seed, and how many tests are tried before the files of all others are read."""
+"""Number of mutations, seed, and number of tests that run before the files of others are read."""
 
 BESIDE_CORE = ("app/model.py", "app/units.py")
 ELSEWHERE = ("architecture", "benchmarks", "browser", "service")
 ASKS_OTHERS = "tests/app/"
-"""Tests of what no test reaches in its own process: another one may, for it."""
+"""Tests for mutations that no test reaches in its own process: other processes may reach them."""
 
 COMPILED = "engine.py"
 ITS_DOOR = "core/drive/model.py", "[each for each in (pins, lobes) if each]"
-"""The file that is compiled notes nothing: its tests are those that make a drive by this line."""
+"""Line at which tests of the compiled file are noted, since compiled code notes nothing."""
 
 OTHER: dict[type, type] = {
     ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult,
@@ -53,7 +53,7 @@ SKIPPED = (ast.Assert, ast.Raise, ast.JoinedStr, ast.pattern, ast.arguments)
 
 
 class Mutation(NamedTuple):
-    """A change of an expression, which stands at these bytes of a file."""
+    """Change of an expression between two bytes of a file."""
 
     file: str
     line: int
@@ -66,7 +66,7 @@ class Mutation(NamedTuple):
 
 
 def changed(node: ast.AST) -> ast.expr | None:
-    """An expression with one thing changed in it, if there is such a thing."""
+    """Expression with one thing changed in it; None if nothing can be."""
     match node:
         case ast.BinOp(left, operation, right) if type(operation) in OTHER:
             texts = (ast.JoinedStr, ast.List, ast.Tuple)
@@ -91,7 +91,7 @@ def _text(node: ast.AST) -> bool:
 
 
 def expressions(node: ast.AST, function: str = "") -> Iterator[tuple[str, ast.expr, ast.expr]]:
-    """What can be changed in the bodies of functions: whose, what, and into what."""
+    """Name of the function, expression and changed expression of each possible change."""
     for name, value in ast.iter_fields(node):
         for each in value if isinstance(value, list) else [value]:
             outside = name in ("annotation", "returns", "decorator_list")
@@ -111,7 +111,7 @@ def expressions(node: ast.AST, function: str = "") -> Iterator[tuple[str, ast.ex
 
 
 def mutations(tree: Path, seed: int) -> Iterator[Mutation]:
-    """All that a revision has, each with its rank in the draw."""
+    """All mutations of a revision, each with its rank in the draw."""
     for path in sorted([*(tree / "core").rglob("*.py"), *(tree / name for name in BESIDE_CORE)]):
         source = path.read_bytes()
         lines = [0, *itertools.accumulate(map(len, source.splitlines(keepends=True)))]
@@ -129,7 +129,7 @@ def mutations(tree: Path, seed: int) -> Iterator[Mutation]:
 
 
 def drawn(all_of_them: list[Mutation], count: int) -> list[Mutation]:
-    """The first of each room, a package or module, then the first of all."""
+    """First mutations by rank: one of each room (a package or module), then of all others."""
     ranked = sorted(all_of_them, key=lambda each: each.rank)
     rooms = {"/".join(each.file.split("/")[:2]): each for each in reversed(ranked)}
     first = sorted(rooms.values(), key=lambda each: each.rank)
@@ -142,7 +142,7 @@ def changed_file(tree: Path, each: Mutation) -> bytes:
 
 
 def noting(tree: Path, chosen: list[Mutation]) -> dict[str, bytes]:
-    """The files of mutations, where each place notes that it is reached."""
+    """Files of the mutations, with code that notes when each place is reached."""
     note, files = '(__import__("reached").SEEN.update({}) or (', dict[str, bytes]()
     inserted = list[tuple[str, int, str]]()
     for index, each in enumerate(chosen):
@@ -160,12 +160,12 @@ def noting(tree: Path, chosen: list[Mutation]) -> dict[str, bytes]:
 
 
 class Trial:
-    """A revision by itself, in which files are changed and put back."""
+    """Copy of a revision, in which files are changed and put back."""
 
     def __init__(self, folder: Path, revision: str | None) -> None:
         self.folder, self.tree = folder, folder / "tree"
-        if revision:  # once more, too: where it was stopped a file may still be changed
-            from benchmarks.revision import extract  # which a plugin of pytest has not
+        if revision:  # also a second time: a stopped run may have left a changed file
+            from benchmarks.revision import extract  # absent in the plugin
 
             extract(revision, self.tree)
         else:
@@ -198,7 +198,7 @@ class Trial:
         shutil.rmtree(self.tree / ".hypothesis", ignore_errors=True)
         command = (
             "-m", "pytest", "-q", "-p", "reached", "-p", "no:schemathesis",
-            "-W", "ignore::pytest.PytestUnraisableExceptionWarning",  # of another test's loop
+            "-W", "ignore::pytest.PytestUnraisableExceptionWarning",  # from loops of other tests
         )  # fmt: skip
         try:
             for file, source in files.items():
@@ -210,7 +210,7 @@ class Trial:
                 os.utime(self.tree / file, ns=(times[file], times[file]))
 
     def reached(self, chosen: list[Mutation], tests: list[str]) -> dict[str, Any]:
-        """Of each test that passes its seconds and the mutations that it reaches."""
+        """Seconds of each test that passes, and the mutations that it reaches."""
         noted = self.folder / "reached.json"
         if not noted.exists():
             ignored = [f"--ignore=tests/{name}" for name in ELSEWHERE]
@@ -223,7 +223,7 @@ class Trial:
         return found
 
     def killed_by(self, each: Mutation, tests: dict[str, float]) -> str | None:
-        """The test that fails, if one does."""
+        """First test that fails with a mutation; None if the mutation survives."""
         order, asked = sorted(tests, key=lambda test: tests[test]), self.folder / "asked.json"
         cache = self.folder / "numba"
         shutil.rmtree(cache, ignore_errors=True)
@@ -240,7 +240,7 @@ class Trial:
 
 
 def main(base: str, seed: int, smallest: bool) -> None:
-    """Draw the mutations of a revision, run its tests, and say what survives."""
+    """Draw the mutations of a revision, run its tests, and print what survives."""
     short = ["git", "rev-parse", "--short", base]
     name = subprocess.run(short, stdout=-1, text=True, cwd=ROOT).stdout.strip()
     folder = ROOT / "build" / "mutations" / f"{'smallest' if smallest else name}-{seed}"
@@ -282,7 +282,7 @@ CACHES: list[Any] = []
 
 
 def pytest_sessionstart() -> None:
-    """The same random cases each time, and no search for simpler ones that fail as well."""
+    """Fix the random cases of hypothesis, without a search for simpler failures."""
     hypothesis.settings.register_profile(
         "mutations", deadline=None, derandomize=True, database=None,
         max_examples=hypothesis.settings().max_examples,
@@ -320,7 +320,7 @@ def pytest_fixture_setup(fixturedef: Any) -> Iterator[None]:
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
     SEEN.clear()
-    for each in CACHES:  # what is kept from another test is not reached
+    for each in CACHES:  # values kept from another test would hide code
         each.cache_clear()
     if item.nodeid in SECONDS:
         faulthandler.dump_traceback_later(60 + 10 * SECONDS[item.nodeid], exit=True)
@@ -342,7 +342,7 @@ def pytest_runtest_logreport(report: pytest.TestReport) -> None:
 @pytest.hookimpl(trylast=True)
 def pytest_sessionfinish() -> None:
     if noted := os.environ.get("MUTATIONS_NOTED"):
-        beside = IMPORTING.difference(*TESTS.values())  # what any test may find otherwise
+        beside = IMPORTING.difference(*TESTS.values())  # reached by imports, so for any test
         passed = {
             test: (SECONDS[test], sorted(seen | beside))
             for test, seen in TESTS.items()

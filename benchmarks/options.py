@@ -1,11 +1,11 @@
-"""What every benchmark takes: its own numbers, and `--smallest`, the form that the tests run."""
+"""Arguments of every benchmark: numbers of its own, and `--smallest`, the form that tests run."""
 
 import argparse
 from collections.abc import Collection
 
 
 def add_service(parser: argparse.ArgumentParser) -> None:
-    """Let a benchmark whose matter is not the start ask a service that runs already."""
+    """Add an option to ask a service that runs already."""
     parser.add_argument(
         "--service",
         nargs=2,
@@ -23,8 +23,8 @@ def options(
     asks: bool = False,
     **numbers: int | None,
 ) -> argparse.Namespace:
-    """Arguments of a benchmark: its numbers in order, with their defaults, `smallest`, which of its
-    rows only, if it can do with some, and the service that it asks, if it can do with any.
+    """Arguments of a benchmark: its numbers in order with their defaults, `smallest`, `only` for
+    some of its rows, and `service` if it asks one.
     """
     parser = argparse.ArgumentParser(description=about)
     for name, usual in numbers.items():

@@ -1,9 +1,9 @@
-"""How soon the page shows new numbers and figures after the last key, in a real Chromium.
+"""Times from the last key to new numbers and figures on the page, in a real Chromium.
 
 Run by `make bench-page`. Times include the pause that the page waits for more keys (50 ms) and are
-of this machine; the marks are 150 ms for numbers and 300 ms for figures. Beside them, when the
-first figure is there after the page is opened for the first time (the mark is a second), and what a
-frame of the moving drawing takes; the mark is the time from one frame of a screen to the next.
+of this machine; the marks are 150 ms for numbers and 300 ms for figures. Two more are the time to
+the first figure after the page is first opened (mark: a second), and the time of a frame of the
+moving drawing (mark: the time between two frames of a screen).
 """
 
 import statistics
@@ -24,7 +24,7 @@ CALCULATORS = {
     "precession": ("torque_Nm", "lineLoad"),
 }
 
-# Types a value as a key would, and gives the times until the numbers and the figure are of it.
+# Type a value as a key would; return the times until numbers and figure show it.
 TYPE = """([path, value, figure]) => new Promise((resolve) => {
   const box = document.querySelector(`[data-path="${path}"] .box`);
   const panel = document.getElementById("panel");
@@ -42,7 +42,7 @@ TYPE = """([path, value, figure]) => new Promise((resolve) => {
   box.dispatchEvent(new InputEvent("input", { bubbles: true }));
 })"""
 
-# When the first figure is there, from the start of the navigation.
+# Note when the first figure is there, from the start of the navigation.
 FIRST = """() => {
   new MutationObserver(() => {
     if (document.querySelector(".plot .main-svg :is(.barlayer path, .js-line)")) {
@@ -51,7 +51,7 @@ FIRST = """() => {
   }).observe(document, { childList: true, subtree: true });
 }"""
 
-# Turns the crank over 120 frames and gives the mean time of one, layout included.
+# Turn the crank over 120 frames; return the mean time of one, layout included.
 TURN = """(slider) => new Promise((resolve) => {
   const spent = [];
   function frame() {
@@ -68,7 +68,7 @@ TURN = """(slider) => new Promise((resolve) => {
 
 
 def open_page(page: Page, service: str, calculator: str) -> None:
-    """The calculator with its figure in sight and drawn, at rest."""
+    """Open the calculator and wait until its figure is in sight, drawn and at rest."""
     figure = page.locator(f'[data-figure="{CALCULATORS[calculator][1]}"]')
     page.goto(f"{service}/?calculator={calculator}")
     page.wait_for_selector('#panel[data-state="fresh"]')
@@ -78,20 +78,20 @@ def open_page(page: Page, service: str, calculator: str) -> None:
 
 
 def first_figure(browser: Browser, service: str, rounds: int) -> float:
-    """Median time to the first figure, nothing being in the browser's cache, milliseconds."""
+    """Median time to the first figure with an empty cache of the browser, ms."""
     times = []
     for _ in range(rounds):
         with browser.new_context() as context:
             context.add_init_script(f"({FIRST})()")
             page = context.new_page()
-            page.wait_for_timeout(1000)  # to open a tab keeps the browser busy
+            page.wait_for_timeout(1000)  # opening a tab keeps the browser busy
             page.goto(service)
             times.append(page.wait_for_function("() => globalThis.first").json_value())
     return statistics.median(times)
 
 
 def measure(page: Page, service: str, calculator: str, rounds: int) -> tuple[float, float]:
-    """Median times to numbers and to the figure, milliseconds."""
+    """Median times to numbers and to the figure, ms."""
     path, figure = CALCULATORS[calculator]
     open_page(page, service, calculator)
     times = []
@@ -102,7 +102,7 @@ def measure(page: Page, service: str, calculator: str, rounds: int) -> tuple[flo
 
 
 def main(rounds: int, calculators: Collection[str], asked_of: Sequence[int] | None = None) -> bool:
-    """Measure these calculators; whether a mark is missed."""
+    """Measure these calculators; True if a mark is missed."""
     serving = running_service("app.serve", running=asked_of)
     with serving as service, chromium.started() as browser:
         page, missed = browser.new_page(), False

@@ -1,10 +1,10 @@
-"""Is the peak of the force over the turn its peak? Scans of 60,000 positions beside it.
+"""Check of the peak force over the turn by scans of 60,000 positions.
 
-Random mechanisms with clearance, deviations and any law, half of them with small loads and with
-pins whose errors nearly use up the clearance, which makes spikes narrower than any grid; every
-fifth has satellites that give, whose loops are not compiled: a tenth of the positions. No position
-may carry more than the peak and its stated error. Run by `make accuracy`, appends its table to
-docs/accuracy.md; designs and positions may be given: `python -m benchmarks.peaks 20 5000`.
+The random mechanisms have clearance, deviations and any law; half have small loads and pins whose
+errors nearly use up the clearance, which makes spikes narrower than any grid. Every fifth has
+satellites that give, for which a tenth of the positions serve. No position may carry more than the
+peak and its stated error. `make accuracy` appends the table to docs/accuracy.md; designs and
+positions may be given: `python -m benchmarks.peaks 20 5000`.
 """
 
 import math
@@ -56,9 +56,7 @@ LAWS = (LinearLaw(5e7), LinearLaw(5e8), PowerLaw(1.5, 1000.0, 1e-5), PalmgrenLaw
 
 @dataclass(frozen=True, slots=True)
 class Scan:
-    """What a scan found: by how much its highest force lies above the peak, relative, what was
-    stated, whether the satellites give, and how many positions were looked at.
-    """
+    """Result of a scan: its highest force less the peak, relative, and the peak's stated error."""
 
     seed: int
     above: float
@@ -68,12 +66,12 @@ class Scan:
 
     @property
     def missed(self) -> bool:
-        """Whether a position carries more than the peak and its error."""
+        """True if a position carries more than the peak and its error."""
         return self.above > self.stated
 
 
 def design(seed: int) -> tuple[RealMechanism, float]:
-    """A random mechanism and its torque."""
+    """Random mechanism and its torque."""
     r = random.Random(seed)
     pins, satellites = r.randint(3, 8), r.randint(1, 3)
     hard = seed % 2 == 1
@@ -84,7 +82,7 @@ def design(seed: int) -> tuple[RealMechanism, float]:
         return tuple(r.uniform(-size, size) for _ in range(count))
 
     radial = list(row(pins))
-    if hard:  # what is left of the clearance of two pins is next to nothing
+    if hard:  # two pins have next to no clearance left
         for pin in r.sample(range(pins), 2):
             radial[pin] = -clearance * (1 - 10 ** r.uniform(-4, -1))
     support: SatelliteSupport = RIGID_SUPPORT
@@ -119,7 +117,7 @@ def design(seed: int) -> tuple[RealMechanism, float]:
 
 
 def scan(seed: int, positions: int) -> Scan | None:
-    """One design; None where it cannot work."""
+    """Scan of one design; None if the mechanism cannot work."""
     real, torque = design(seed)
     try:
         turn = over_turn(real=real, output_torque=torque)
@@ -134,7 +132,7 @@ def scan(seed: int, positions: int) -> Scan | None:
 
 
 def row(name: str, found: list[Scan]) -> str:
-    """A row of the table."""
+    """Row of the table."""
     above, stated = ([getattr(each, key) for each in found] for key in ("above", "stated"))
     missed = sum(each.missed for each in found)
     return (
@@ -144,7 +142,7 @@ def row(name: str, found: list[Scan]) -> str:
 
 
 def main(designs: int, positions: int, smallest: bool = False) -> int:
-    """Scan all and say what came of it; 1 if any peak was missed."""
+    """Scan all designs and print the result; 1 if any peak was missed."""
     start, found = time.perf_counter(), []
     with ProcessPoolExecutor(2, initializer=load) as pool:
         for each in pool.map(scan, range(designs), repeat(positions)):

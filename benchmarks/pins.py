@@ -1,10 +1,10 @@
-"""Is the largest stress of a pin over the turn its largest? Dense scans of random pins beside it.
+"""Check of the largest stress of pins over the turn by dense scans of random pins.
 
-Pins under ideal forces whose summits are hard to tell apart (`tests.inputs.pins`): each number of
-their strength is held against a scan of the turn, the pin and all directions that shares nothing
-with the search (`tests.oracles.pin_scan`). What the scan finds above, by more than is stated, was
-missed; where it ends below, nothing is said. Run by `make accuracy`, writes its table to
-docs/accuracy.md; how many may be given: `python -m benchmarks.pins 100`.
+The ideal forces of these pins have summits that are hard to tell apart (`tests.inputs.pins`). A
+scan of the turn, the pin and all directions, which shares nothing with the search
+(`tests.oracles.pin_scan`), judges each number of their strength: a number is missed if the scan
+finds more, by more than the stated error. A scan that ends below says nothing. `make accuracy`
+writes the table to docs/accuracy.md; the number may be given: `python -m benchmarks.pins 100`.
 """
 
 import sys
@@ -44,27 +44,25 @@ NAMES = (
 
 @dataclass(frozen=True, slots=True)
 class Compared:
-    """By how much numbers of a pin lie below a scan, on the side that is not safe, and what is
-    stated.
-    """
+    """Numbers of a pin below those of a scan, relative, on the unsafe side; stated error."""
 
     seed: int
     below: dict[str, float]
     stated: float
 
     def missed(self, name: str) -> bool:
-        """Whether a number lies further below than is stated."""
+        """True if a number lies further below than is stated."""
         return self.below[name] > self.stated
 
 
 def number(found: PinStrength, name: str) -> float:
-    """A number of the strength by its name."""
+    """Number of the strength by its name."""
     parts = found.deflection, found.fatigue, found
     return float(next(getattr(part, name) for part in parts if hasattr(part, name)))
 
 
 def compared(seed: int) -> Compared:
-    """One pin."""
+    """Comparison of one pin with its scan."""
     design = pin_design(seed)
     found, below = pin_strength(**design), {}
     for name, exact in pin_extremes(design).items():
@@ -80,7 +78,7 @@ def compared(seed: int) -> Compared:
 
 
 def row(name: str, found: list[Compared]) -> str:
-    """A row of the table."""
+    """Row of the table."""
     return (
         f"| {name} | {len(found)} | {sum(each.missed(name) for each in found)} | "
         f"{max(each.below[name] for each in found):.1e} |\n"
@@ -88,7 +86,7 @@ def row(name: str, found: list[Compared]) -> str:
 
 
 def main(pins: int, smallest: bool = False) -> int:
-    """Compare all and say what came of it; 1 if any number was missed."""
+    """Compare all pins and print the result; 1 if any number was missed."""
     start = time.perf_counter()
     seeds = [seed for seed in range(pins * 3 // 2) if not solved(seed)]
     with ProcessPoolExecutor(2) as pool:

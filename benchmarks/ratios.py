@@ -1,10 +1,10 @@
-"""What this revision takes beside another one, as ratios in one run.
+"""Cost of this revision over that of another one, as ratios in one run.
 
-`make ratios BASE=rev` runs the service of both and asks them the same, in turn and in rounds: small
-requests, curves and figures, whole designs, batches of 1,000, and the page in Chromium until its
-first figure is drawn. What counts is the processor time of all processes of a service, of the page
-the time that passes. Ends with 1 where the median of all ratios is above 1.05, or one of them above
-1.2.
+`make ratios BASE=rev` runs the service of both revisions and sends both the same requests, in turn
+and in rounds: small ones, curves and figures, whole designs, batches of 1,000, and the page in
+Chromium until its first figure is drawn. Services count by the processor time of all their
+processes, the page by elapsed time. The status is 1 if the median of all ratios is above 1.05, or
+one of them above 1.2.
 """
 
 import argparse
@@ -36,13 +36,13 @@ from benchmarks.speed import SECTIONS
 from tests.inputs import chromium
 
 MEDIAN, WORST = 1.05, 1.2
-"""Most that all take of what they took, and that one of them takes."""
+"""Largest median of all ratios, and largest single ratio."""
 
 ROUNDS, FEW = 15, 5
-"""Rounds of each, and of what takes more than a second."""
+"""Rounds of each request, and of one that takes more than a second."""
 
 AT_LEAST_S = 0.1
-"""Processor time from which a turn of a round is no matter of chance."""
+"""Least processor time of a round, s, that is no matter of chance."""
 
 BATCHES = ("hertz", "contact-force", "cyclogram", "crank-planetary", "roller-strength")
 WHOLE = SECTIONS | {
@@ -54,7 +54,7 @@ Asked = dict[str, tuple[str, Callable[[int], dict[str, Any]]]]
 
 
 def whole(number: int) -> dict[str, Any]:
-    """A whole design, each another one, so that nothing is known of it."""
+    """Whole design that differs from all before, so that no result of it is kept."""
     return WHOLE | {"mechanism": SECTIONS["mechanism"] | {"ratio": 20 + 1e-7 * number}}
 
 
@@ -64,7 +64,7 @@ def batch(calculation: str, size: int) -> tuple[str, Callable[[int], dict[str, A
 
 
 def requests(together: int) -> Asked:
-    """What is asked: its path, and its body by the number of the request."""
+    """Path of each request, and its body by the number of the request."""
     small = {name: (name, lambda _, name=name: BODIES[name]) for name in BODIES}
     asked: Asked = small | {
         "curves": ("contact-force", lambda _: CURVES),
@@ -77,7 +77,7 @@ def requests(together: int) -> Asked:
 
 
 class Running:
-    """The service of a revision."""
+    """Running service of a revision."""
 
     def __init__(self, folder: Path, pid: int, port: int) -> None:
         self.folder, self.pid, self.url = folder, pid, f"http://127.0.0.1:{port}"
@@ -86,7 +86,7 @@ class Running:
             time.sleep(0.1)
 
     def seconds(self) -> float:
-        """Processor time of all its processes."""
+        """Processor time of all processes of the service, s."""
         spent = 0
         for pid in family(self.pid):
             with suppress(FileNotFoundError, ProcessLookupError):
@@ -95,7 +95,7 @@ class Running:
         return spent / 1e9
 
     def cost(self, path: str, bodies: list[bytes]) -> float:
-        """Processor time of requests, each of which has to be answered."""
+        """Processor time of requests, each of which has to be answered, s."""
         before = self.seconds()
         for body in bodies:
             answer = self.client.post(
@@ -108,7 +108,7 @@ class Running:
 
 @contextmanager
 def running(folder: Path, asked_of: Sequence[int] | None = None) -> Iterator[Running]:
-    """The service of a revision: one that is running, by its process and port, or a new one."""
+    """Yield the service of a revision: a running one, by its process and port, or a new one."""
     if not asked_of:
         environment = os.environ | {"PYTHONPATH": "."}
         subprocess.run([sys.executable, "-m", "app.compiled"], cwd=folder, env=environment)
@@ -119,7 +119,7 @@ def running(folder: Path, asked_of: Sequence[int] | None = None) -> Iterator[Run
 
 
 def measured(both: list[Running], asked: Asked, rounds: int) -> Iterator[tuple[str, float, float]]:
-    """Of each its name, what it takes of the first, and the median ratio of the second."""
+    """Name of each request, its cost in the first service, and the median ratio of the second."""
     numbers = itertools.count()
     for name, (path, body) in asked.items():
 
@@ -139,7 +139,7 @@ def measured(both: list[Running], asked: Asked, rounds: int) -> Iterator[tuple[s
 
 
 def until_the_figure(both: list[Running], rounds: int) -> tuple[str, float, float]:
-    """The same of the time until the page has its first figure, by turns."""
+    """Name, time and ratio of the first figure on the page, both services in turn."""
     with chromium.started() as browser:
         took = [[first_figure(browser, each.url, 1) / 1e3 for each in both] for _ in range(rounds)]
     first = statistics.median(each[0] for each in took)
@@ -174,6 +174,6 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("base", nargs="?", default="HEAD", help="the revision to compare with")
     parser.add_argument("--smallest", action="store_true", help="a few, of this revision alone")
-    add_service(parser)  # of this revision
+    add_service(parser)  # a running service is one of this revision
     given = parser.parse_args()
     sys.exit(main(given.base, given.smallest, given.service))

@@ -7,7 +7,7 @@ ROOT = Path(__file__).parent.parent
 
 
 def extract(revision: str, folder: Path) -> None:
-    """Its files, as they were committed, over those that are there."""
+    """Write the committed files of a revision into a folder, over those that are there."""
     folder.mkdir(parents=True, exist_ok=True)
     archive = ["git", "archive", revision]
     packed = subprocess.run(archive, cwd=ROOT, stdout=subprocess.PIPE, check=True)

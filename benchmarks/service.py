@@ -1,12 +1,13 @@
-"""What the service adds to what its framework costs, as ratios in one run; and its start.
+"""Cost that the service adds to that of its framework, as ratios in one run; time of its start.
 
-Each request is sent to the service and to an empty FastAPI endpoint with the same models, which
-answers the same values without calculating them, one after the other in rounds. What counts is the
-processor time: of the applications alone in this process, neither with its line of a log, and of
-the servers over a connection, where the service writes its line and both pay for HTTP.
+Each request goes to the service and to an empty FastAPI endpoint with the same models, which
+answers the same values without calculating them, one after the other in rounds. Processor time
+counts: of the applications alone in this process, without log lines, and of the servers over a
+connection, where the service writes its log and both pay for HTTP.
 
-In process there are two empty ones: FastAPI as it comes, whose pages of documentation and telemetry
-each request passes, and one as lean as the service, without these and with its order of routes.
+In process there are two empty applications: FastAPI as it comes, whose pages of documentation and
+telemetry each request passes, and one as lean as the service, without these and with its order of
+routes.
 """
 
 import gc
@@ -47,7 +48,7 @@ ROUNDS, REPEATS, LOOPS = 100, 25, 500
 """Rounds of a comparison, requests in each, and calls in a timing of the parts."""
 
 CLIENT, SERVERS = min(os.sched_getaffinity(0)), max(os.sched_getaffinity(0))
-"""Processors of the client and of all servers, which are compared on the same one."""
+"""Processors of the client and of all servers; all servers share one."""
 
 MODELS: dict[str, tuple[type[RequestModel], type[ResponseModel]]] = {
     "hertz": (HertzRequest, HertzResponse),
@@ -64,7 +65,7 @@ QUIET = ("--no-access-log", "--log-level", "warning")
 
 
 def lean() -> FastAPI:
-    """An empty application as lean as the service, files first."""
+    """Empty application as lean as the service, files first."""
     application = FastAPI(openapi_url=None, telemetry=NO_TELEMETRY)
 
     async def static(request: Request) -> Response:
@@ -75,14 +76,12 @@ def lean() -> FastAPI:
 
 
 def empty() -> FastAPI:
-    """An empty application as FastAPI makes it."""
+    """Empty application as FastAPI makes it."""
     return with_endpoints(FastAPI())
 
 
 def with_endpoints(application: FastAPI) -> FastAPI:
-    """An application with an empty endpoint for each calculation, in the service's order, and
-    curves ready to encode.
-    """
+    """Add an empty endpoint for each calculation, in the order of the service, and curves."""
 
     def add(name: str, given: Any, answered: Any) -> None:
         answer = CALCULATIONS[name].solve(given(**BODIES[name]))
@@ -109,7 +108,7 @@ def with_endpoints(application: FastAPI) -> FastAPI:
 
 
 async def bare(scope: Scope, receive: Receive, send: Send) -> None:
-    """The least that an ASGI application can answer."""
+    """Answer with the least that an ASGI application can."""
     if scope["type"] != "http":
         return
     while (await receive()).get("more_body"):
@@ -120,7 +119,7 @@ async def bare(scope: Scope, receive: Receive, send: Send) -> None:
 
 
 class Server:
-    """A server in a process of its own, and one connection to it."""
+    """Server in a process of its own, with one connection."""
 
     def __init__(self, *command: str) -> None:
         with socket.socket() as free:
@@ -143,13 +142,13 @@ class Server:
         self.connect()
 
     def connect(self) -> None:
-        """Connect, or anew: servers do not keep for long what brings nothing."""
+        """Open a new connection, as servers soon close idle ones."""
         self.connection.close()
         self.connection = socket.create_connection(("127.0.0.1", self.port))
         self.connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
 
     def ask(self, request: bytes) -> bytes:
-        """Whole answer to a request."""
+        """Body of the whole answer to a request."""
         self.connection.sendall(request)
         received = self.connection.recv(1 << 20)
         head, _, body = received.partition(b"\r\n\r\n")
@@ -163,12 +162,12 @@ class Server:
         return b"".join(parts)
 
     def processor_time(self) -> float:
-        """Seconds that the server has calculated."""
+        """Processor time of the server, s."""
         text = Path(f"/proc/{self.process.pid}/schedstat").read_text()
         return int(text.split()[0]) / 1e9
 
     def cost(self, request: bytes) -> float:
-        """Processor time of a request, microseconds."""
+        """Processor time of a request, us."""
         before = self.processor_time()
         for _ in range(REPEATS):
             self.ask(request)
@@ -203,7 +202,7 @@ async def asked(application: ASGIApp, path: str, content: bytes) -> None:
 async def in_process(rounds: int) -> None:
     """Print the table of the applications alone."""
     applications = empty(), lean(), create_app()
-    gc.freeze()  # as the service does
+    gc.freeze()  # like the service
     print(f"{'in process':16s} {'empty us':>9s} {'lean us':>9s} {'service us':>10s}  ratios")
     for name in MODELS:
         content = json.dumps(BODIES[name]).encode()
@@ -220,9 +219,7 @@ async def in_process(rounds: int) -> None:
 
 
 def print_compared(name: str, costs: Sequence[Sequence[float]]) -> None:
-    """Print processor times of rounds, microseconds, and the ratios of the last to each of the
-    others: each the median of the rounds.
-    """
+    """Print medians of processor times, us, and of ratios of the last to each of the others."""
     *others, own = zip(*costs, strict=True)
     ratios = [statistics.median(map(truediv, own, each)) for each in others]
     times = " ".join(f"{statistics.median(each):9.0f}" for each in others)
@@ -232,7 +229,7 @@ def print_compared(name: str, costs: Sequence[Sequence[float]]) -> None:
 
 @contextmanager
 def running(*command: str) -> Iterator[Server]:
-    """Start a server; stop it at the end."""
+    """Start a server and stop it at the end."""
     server = Server(*command)
     try:
         yield server
@@ -242,7 +239,7 @@ def running(*command: str) -> Iterator[Server]:
 
 
 def post(path: str, body: object) -> bytes:
-    """A request as bytes."""
+    """Bytes of a request."""
     content = json.dumps(body).encode()
     head = f"POST {path} HTTP/1.1\r\nhost: service\r\ncontent-type: application/json\r\n"
     return f"{head}content-length: {len(content)}\r\n\r\n".encode() + content
@@ -251,7 +248,7 @@ def post(path: str, body: object) -> bytes:
 def compared(
     first: Server, one: bytes, second: Server, other: bytes, rounds: int
 ) -> list[tuple[float, float]]:
-    """Processor times of two requests in rounds, microseconds."""
+    """Processor times of two requests in rounds, us."""
     return [(first.cost(one), second.cost(other)) for _ in range(rounds + 1)][1:]
 
 
@@ -262,7 +259,7 @@ def start_up(service: Server) -> float:
 
 
 def main(rounds: int = ROUNDS, starts: int = 4, loops: int = LOOPS) -> None:
-    """Print the table, the times of the parts, and how long the service takes to start."""
+    """Print the tables and the time that the service takes to start."""
     os.sched_setaffinity(0, {CLIENT})
     uvloop.run(in_process(rounds))
     started = []
@@ -276,7 +273,7 @@ def main(rounds: int = ROUNDS, starts: int = 4, loops: int = LOOPS) -> None:
             stack.enter_context(running("uvicorn", f"benchmarks.service:{named}", *rest, *QUIET))
             for named, *rest in (("bare",), ("empty", "--factory"))
         )
-        time.sleep(2)  # the process for long calculations, which the service starts
+        time.sleep(2)  # until the service has started its process for long calculations
         for each in (bare_one, empty_one, service):
             each.connect()
         print(f"{'over HTTP':16s} {'empty us':>9s} {'service us':>10s} {'ratio':>10s}")
@@ -308,7 +305,7 @@ def print_parts(
     answer: Callable[[Any], Any],
     loops: int,
 ) -> None:
-    """Print the times of what the service does for a request beside HTTP."""
+    """Print times of the parts of an answer besides HTTP."""
     model, content = TypeAdapter[Any](given), json.dumps(request)
     body = model.validate_json(content)
     values = answer(body)
@@ -321,7 +318,7 @@ def print_parts(
 
 
 def timed(call: Callable[[], object], loops: int) -> float:
-    """Time of a call, microseconds."""
+    """Time of a call, us."""
     return min(timeit.repeat(call, number=loops, repeat=9)) / loops * 1e6
 
 

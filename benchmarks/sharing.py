@@ -1,7 +1,7 @@
-"""What studies and turns of the load sharing cost, compiled and as they are, as ratios in one run.
+"""Cost of studies and turns of the load sharing, compiled and uncompiled, as ratios in one run.
 
-The unit U is the cosine law in NumPy, 361 angles of 12 pairs. Times are the processor's, but those
-of several threads, which are set against one thread.
+The unit U is the cosine law in NumPy, 361 angles of 12 pairs. Times are those of the processor,
+except for several threads, which are compared with one thread.
 """
 
 import os
@@ -69,7 +69,7 @@ def _cosine_law() -> object:
 
 
 def _units(call: Callable[[], object], repeats: int, clock: Callable[[], float]) -> float:
-    """Units that a call takes, the median of ratios side by side."""
+    """Cost of a call in units U, the median of ratios side by side."""
     ratios = []
     for _ in range(repeats):
         begun = clock()

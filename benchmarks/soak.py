@@ -1,12 +1,11 @@
-"""Twenty minutes of mixed traffic on the running service: what of its memory and processes stays.
+"""Twenty minutes of mixed traffic on the running service, and growth of its memory and processes.
 
 Clients of four kinds ask at once, each as fast as it is answered: extreme and hostile bodies
 (tests/inputs/fuzz_requests.py), figures, batches by lines, and requests that are given up within
-0.3 s. Two workers answer. Every second the processes of the service, their memory and their
-descriptors are counted; at the end drawn in docs/soak.svg, with tables on the output. Ends with 1
-where the last third has more processes, or more than 10 % more memory or descriptors, than the
-third before, or where anything was answered by 500. `make soak`; minutes may be given:
-`python -m benchmarks.soak 3`.
+0.3 s. Two workers answer. Every second processes, memory and descriptors of the service are
+counted; docs/soak.svg shows them, the output has tables. The status is 1 if the last third has more
+processes, or more than 10 % more memory or descriptors, than the third before, or if an answer was
+500. `make soak`; minutes may be given: `python -m benchmarks.soak 3`.
 """
 
 import asyncio
@@ -35,7 +34,7 @@ Answers = Counter[tuple[str, str]]
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """The service at a time: minutes, processes, MB of memory of its own, descriptors."""
+    """Processes, proportional memory and descriptors of the service at a time."""
 
     minutes: float
     processes: int
@@ -44,7 +43,7 @@ class Sample:
 
 
 def family(pid: int) -> list[int]:
-    """A process and all that it and they have started."""
+    """Process ids of a process and of all its descendants."""
     with contextlib.suppress(FileNotFoundError):
         threads = Path(f"/proc/{pid}/task").iterdir()
         started = [
@@ -55,7 +54,7 @@ def family(pid: int) -> list[int]:
 
 
 def sample(pid: int, minutes: float) -> Sample:
-    """What the service has now; processes that end meanwhile are not counted."""
+    """Sample of the service now; processes that end meanwhile are not counted."""
     count, memory, descriptors = 0, 0.0, 0
     for each in family(pid):
         with contextlib.suppress(FileNotFoundError, ProcessLookupError):
@@ -69,7 +68,7 @@ def sample(pid: int, minutes: float) -> Sample:
 
 
 async def _ask(client: httpx.AsyncClient, kind: str, r: Draw) -> httpx.Response:
-    """One request of a kind."""
+    """Send one request of a kind."""
     if kind == "batch":
         name = r.choice(["hertz", "contact-force", "cyclogram", "crank-planetary"])
         body = {"calculation": name, "requests": [REQUESTS[name]] * r.randint(1, 2000)}
@@ -91,7 +90,7 @@ async def _ask(client: httpx.AsyncClient, kind: str, r: Draw) -> httpx.Response:
 
 
 async def traffic(url: str, kind: str, seed: int, end: float, answers: Answers) -> None:
-    """Requests of a kind, one after another, until the end."""
+    """Send requests of a kind, one after another, until the end."""
     r = Draw(seed)
     async with httpx.AsyncClient(base_url=f"{url}/api/v1/", timeout=60) as client:
         while time.monotonic() < end:
@@ -104,7 +103,7 @@ async def traffic(url: str, kind: str, seed: int, end: float, answers: Answers) 
 
 
 async def run(service_pid: int, url: str, minutes: float) -> tuple[list[Sample], Answers]:
-    """Samples of the service under traffic, and what it answered."""
+    """Samples of the service under traffic, and its answers."""
     answers: Answers = Counter()
     start = time.monotonic()
     end, samples = start + 60 * minutes, []
@@ -120,7 +119,7 @@ async def run(service_pid: int, url: str, minutes: float) -> tuple[list[Sample],
 
 
 def drawn(samples: list[Sample]) -> str:
-    """Memory, processes and descriptors over time, each from 0 to its largest, as SVG."""
+    """SVG of memory, processes and descriptors over time, each from 0 to its largest."""
     width, height = 640, 120
     last = max(each.minutes for each in samples)
     rows = []
@@ -146,7 +145,7 @@ def drawn(samples: list[Sample]) -> str:
 
 
 def main(minutes: float, write: bool, asked_of: Sequence[int] | None) -> int:
-    """Run, draw, and say what stayed; 1 if something grew or failed."""
+    """Run the traffic, draw, and print the result; 1 if something grew or failed."""
     with service("app.serve", running=asked_of) as running:
         url = f"http://127.0.0.1:{running.port}"
         samples, answers = asyncio.run(run(running.pid, url, minutes))

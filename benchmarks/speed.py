@@ -1,4 +1,4 @@
-"""What the calculations cost, as ratios in one run: machines differ, ratios much less.
+"""Cost of the calculations, as ratios in one run: machines differ, ratios much less.
 
 The unit is one call of `hertz`, plain arithmetic of a dozen operations.
 """
@@ -84,12 +84,12 @@ REF = Design(
 
 
 def _checks() -> object:
-    """All checks of a design: each call others, as nothing of a design is kept."""
+    """All checks of a design; each call solves anew."""
     return crank_checks(Results(REF))
 
 
 def _fixes() -> object:
-    """All fixes of its governing check, six of them."""
+    """All six fixes of the governing check."""
     results = Results(changed(REF, {"load.output_torque": 1500.0}))
     return crank_fixes(
         results=results, codes=["contact_pressure_hole"], current=crank_checks(results)
@@ -112,8 +112,8 @@ CALLED = itertools.count(1)
 
 
 def _whole(**pin: Any) -> object:
-    """A whole design with all sections and checks, from request to answer: each call another one,
-    its mechanism as well, so that nothing is known of it.
+    """Whole design with all sections and checks, from request to answer; each call has another
+    mechanism, so that no result is kept.
     """
     off = next(CALLED) * 1e-7
     sections = [name for name in STRENGTH_SECTIONS if name != "rollers"]
@@ -144,7 +144,7 @@ DESIGNS = 1_000_000
 
 
 def _algebra(size: Any) -> object:
-    """Losses, endurance limit, safety of a cycle, life, slope and edge load: no search in them."""
+    """Losses, endurance limit, safety of a cycle, life, slope and edge load, without a search."""
     beam = PinBeam.round(
         support="cantilever", diameter=size, contact_length=0.02, youngs_modulus=210e9,
         poissons_ratio=0.3,

@@ -1,7 +1,7 @@
-"""Stiff and extreme cases: our error, the stated one, and that of the papers' literal forms.
+"""Stiff and extreme cases: actual error, stated error, and error of the papers' literal forms.
 
-Writes docs/numerics.md; run by `make accuracy`. The cases (tests/inputs/hard_cases.py) also run
-with the tests.
+`make accuracy` writes docs/numerics.md. The cases (tests/inputs/hard_cases.py) also run with the
+tests.
 """
 
 import sys
@@ -32,7 +32,7 @@ TABLE = """
 
 
 def line(row: Row) -> str:
-    """A row of the table."""
+    """Row of the table."""
     ours = "refused" if row.error is None else f"{row.error:.1e}"
     stated = "-" if row.stated is None or row.error is None else f"{row.stated:.1e}"
     return (
@@ -42,7 +42,7 @@ def line(row: Row) -> str:
 
 
 def main(smallest: bool) -> int:
-    """Run all, or the first case of each calculation; 1 if one is not right to its stated error."""
+    """Run all cases, or the first of each calculation; 1 if one exceeds its stated error."""
     areas: dict[str, list[Case]] = {}
     for case in cases():
         areas.setdefault(case.calculation, []).append(case)

@@ -1,8 +1,8 @@
 """Studies on all cores of a machine and on a Dask cluster of this machine, in one run.
 
-Times of the wall, since cores are what is asked about, and of the processor, of all processes that
-take part. Two threads stand beside two processes that know nothing of each other; workers of the
-cluster beside threads; small requests and `/livez` beside two studies that the service calculates.
+Times are elapsed, since cores are compared, and of the processor over all processes. Two threads
+are compared with two independent processes, workers of the cluster with threads, and small requests
+and `/livez` alone with those beside two studies in the service.
 """
 
 import os
@@ -44,7 +44,7 @@ def _study(samples: int, threads: int = 1) -> Study:
 
 
 def _calculated(first: int, last: int) -> float:
-    """Pieces in a process of its own: seconds of the wall."""
+    """Elapsed time of some pieces in a process of its own, s."""
     compiled.load()
     study = _study(last)
     begun = time.perf_counter()
@@ -59,7 +59,7 @@ def _wall(call: Callable[[], object]) -> float:
 
 
 def _processor(pids: list[int]) -> float:
-    """Seconds of the processor that processes have taken."""
+    """Processor time of processes, s."""
     tick, taken = os.sysconf("SC_CLK_TCK"), 0.0
     for pid in pids:
         with open(f"/proc/{pid}/stat") as stat:
@@ -69,7 +69,7 @@ def _processor(pids: list[int]) -> float:
 
 
 def _cores(samples: int, rounds: int) -> None:
-    """Two threads beside two processes."""
+    """Print gains of two threads and of two processes."""
     study = _study(samples)
     pieces, gains, apart = study.pieces(), [], []
     half = samples // 2
@@ -90,8 +90,8 @@ def _lost(why: Lost) -> Mapped:
 
 
 def _cluster(samples: int, most: int) -> None:
-    """One worker, up to so many, beside a thread here: the same bits, times of the wall and of the
-    processor.
+    """Print times of a cluster of one worker, up to the most, over those of a thread here; results
+    have to be equal to the bit.
     """
     study = _study(samples)
     pieces = study.pieces()
@@ -120,8 +120,8 @@ def _cluster(samples: int, most: int) -> None:
 
 
 def _beside(samples: int, seconds: float, asked_of: Sequence[int] | None) -> None:
-    """A small request and `/livez`, alone and beside two studies that the service calculates."""
-    from benchmarks.load import service  # all of the service, which processes above can do without
+    """Print times of a small request and of `/livez`, alone and beside two studies."""
+    from benchmarks.load import service  # the processes above need no service
 
     body = BODY | {"samples": samples}
     with service("app.serve", running=asked_of) as running:
@@ -159,7 +159,7 @@ def _beside(samples: int, seconds: float, asked_of: Sequence[int] | None) -> Non
 
 
 def main(smallest: bool, asked_of: Sequence[int] | None) -> None:
-    """Print what each takes."""
+    """Print all comparisons."""
     compiled.load()
     _study(64).values(_study(64).pieces())
     _cores(256 if smallest else 65_536, 1 if smallest else 5)

@@ -1,9 +1,9 @@
-"""Studies beside those of cycloidal-studio, on one core in one run: samples a second as ratios.
+"""Rate of studies over that of cycloidal-studio, in samples a second on one core, in one run.
 
-Its `physics.js` (SHKinsem/cycloidal-studio, MIT) runs under node, from the folder that
-`CYCLOIDAL_STUDIO` names. It makes forces alone, by bisection, of linear contacts in first order: at
-60 positions of each sample, of eight pins with a clearance of their own. Ours are the same sizes
-with all tolerances drawn; times are the processor's, the rounds alternate.
+The `physics.js` of SHKinsem/cycloidal-studio (MIT) runs under node, from the folder that
+`CYCLOIDAL_STUDIO` names. For each sample, eight pins with a clearance of their own at 60 positions,
+it solves forces alone, by bisection, with linear contacts in first order. Our samples have the same
+sizes and all tolerances drawn; times are those of the processor, the rounds alternate.
 """
 
 import os
@@ -38,7 +38,7 @@ CASES: dict[str, tuple[ContactLaw, Pins, bool, str, float]] = {
     "Hertz, bent pins": (HertzLaw(), BENT, True, "peak_force", 1.2),
     "backlash alone": (LinearLaw(5e7), RIGID_PINS, True, "backlash_max", 30.0),
 }
-"""Law, pins, exact geometry, what is asked, and how many times the other's rate is wanted."""
+"""Law, pins, exact geometry, quantity, and wanted ratio to the rate of cycloidal-studio."""
 
 OTHER = """
 import {{ windup }} from '{folder}/physics.js';
@@ -62,14 +62,14 @@ console.log({samples} / (used.user + used.system) * 1e6);
 
 
 def _other(folder: Path, samples: int) -> float:
-    """Samples that the other makes in a second of the processor."""
+    """Samples of cycloidal-studio in a second of the processor."""
     script = OTHER.format(folder=folder.resolve(), samples=samples)
     command = ["node", "--input-type=module", "-e", script]
     return float(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
 
 
 def study(case: str, samples: int) -> Study:
-    """The same sizes with all tolerances."""
+    """Study of these sizes with all tolerances."""
     law, pin, exact, quantity, _ = CASES[case]
     real = RealMechanism(
         mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
@@ -81,7 +81,7 @@ def study(case: str, samples: int) -> Study:
 
 
 def _ours(case: str, samples: int) -> float:
-    """Samples that this project makes in a second of the processor."""
+    """Samples of this project in a second of the processor."""
     made = study(case, samples)
     pieces = made.pieces()
     begun = time.process_time()

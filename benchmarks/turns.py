@@ -1,11 +1,10 @@
-"""Are the stated errors of what is largest over the turn true? Beside an oracle of its own.
+"""Check of the stated errors of extremes over the turn by an independent oracle.
 
-Random mechanisms with deviations, from loose to pressed: the peak force, the largest play, lost
-motion and transmission error of `over_turn` beside scans by bisection, narrowed about their highest
-summits. A case is missed where the oracle finds more than the number and its stated error, nor does
-one state more than its class. Run by `make accuracy` after the peaks,
-appends its table to docs/accuracy.md; the number of cases may be given: `python -m benchmarks.turns
-2000`.
+The random mechanisms have deviations, from loose to pressed. Scans by bisection, narrowed about
+their highest summits, give the peak force, the largest play, lost motion and transmission error
+beside those of `over_turn`. A case is missed if the oracle finds more than a number and its stated
+error, or if a stated error exceeds its class. `make accuracy` runs it after the peaks and appends
+the table to docs/accuracy.md; cases may be given: `python -m benchmarks.turns 2000`.
 """
 
 import random
@@ -41,11 +40,11 @@ error.
 """
 CASES, POSITIONS, SHARE = 600, 6007, 0.03
 ROUNDING = 1e-10
-"""What bisection and differences of lags lose, relative."""
+"""Relative error of bisection and of differences of lags."""
 
 
 def design(seed: int) -> tuple[Made, RealMechanism, float]:
-    """A random mechanism, as the oracle and as the core takes it, and its torque."""
+    """Random mechanism, as the oracle and as the core take it, and its torque."""
     r = random.Random(seed)
     pins, satellites = r.choice((4, 6, 8, 12, 20, 40)), r.randint(1, 4)
     while pins * satellites > 48:
@@ -91,7 +90,7 @@ def design(seed: int) -> tuple[Made, RealMechanism, float]:
 
 
 def measured(seed: int) -> dict[str, tuple[float, float]] | None:
-    """Stated and true errors, relative, by the quantity; None where it cannot work."""
+    """Stated and true relative errors by quantity; None if the mechanism cannot work."""
     made, real, torque = design(seed)
     try:
         found = over_turn(real=real, output_torque=torque, lost_motion_share=SHARE)
@@ -114,7 +113,7 @@ def measured(seed: int) -> dict[str, tuple[float, float]] | None:
 
 
 def main(cases: int, smallest: bool = False) -> int:
-    """Compare all, list what is missed, and return 1 if anything is."""
+    """Compare all cases and print what is missed; 1 if anything is."""
     load()
     start, rows, missed = time.perf_counter(), dict[str, list[tuple[float, float]]](), 0
     promised = CLASSES["sampling_zoomed"]

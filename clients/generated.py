@@ -1,9 +1,9 @@
-"""Clients that others generate from the service's description: each is made, asks and is right.
+"""Check of clients that public generators make from the description of the API.
 
-`make clients` makes one in Python (openapi-python-client) and one in TypeScript
-(openapi-typescript and openapi-fetch), has their types checked, lets both ask a running service,
-and compares with what the project's own client gets. It needs the package indexes of Python and of
-Node; CI does without it.
+`make clients` makes one in Python (openapi-python-client) and one in TypeScript (openapi-typescript
+and openapi-fetch), checks their types, lets both ask a running service, and compares the answers
+with those of the project's own client. The package indexes of Python and of Node are needed; CI
+does not run this check.
 """
 
 import os
@@ -26,7 +26,7 @@ content_type_overrides:
   image/vnd.dxf: application/octet-stream
   application/zip: application/octet-stream
 """
-"""Files whose kinds openapi-python-client does not know: bytes, as what it does."""
+"""Types of files that openapi-python-client does not know; bytes serve for them."""
 
 BODY = {
     "pins": 8,
@@ -73,13 +73,7 @@ console.log(data.peak_force_N, error.errors[0]?.code);
 
 
 def run(*command: str | Path, cwd: Path) -> str:
-    """What a command prints.
-
-    Raises
-    ------
-    SystemExit
-        If it fails.
-    """
+    """Output of a command; the program ends with the output if the command fails."""
     path = f"{cwd / 'venv/bin'}:{os.environ['PATH']}"
     done = subprocess.run(
         [*map(str, command)],
@@ -94,7 +88,7 @@ def run(*command: str | Path, cwd: Path) -> str:
 
 
 def python_client(url: str, folder: Path) -> str:
-    """What the generated Python client prints."""
+    """Output of the generated Python client: a number and a code of a refusal."""
     venv.create(folder / "venv", with_pip=True)
     command = folder / "venv/bin"
     run(command / "pip", "install", "--quiet", *PYTHON_PACKAGES, cwd=folder)
@@ -105,13 +99,13 @@ def python_client(url: str, folder: Path) -> str:
     if "WARNING" in told or "ERROR" in told:
         sys.exit(f"openapi-python-client does not take all of the description:\n{told}")
     (folder / "ask.py").write_text(PYTHON)
-    ours = ("ask.py", "generated/api", "generated/models")  # its client.py is the same for all
+    ours = ("ask.py", "generated/api", "generated/models")  # client.py never changes
     run(command / "mypy", "--follow-imports=silent", *ours, cwd=folder)
     return run(command / "python", "ask.py", url, cwd=folder)
 
 
 def typescript_client(url: str, folder: Path) -> str:
-    """What the generated TypeScript client prints."""
+    """Output of the generated TypeScript client: a number and a code of a refusal."""
     (folder / "package.json").write_text('{"type": "module", "private": true}')
     run("npm", "install", "--silent", *NODE_PACKAGES, cwd=folder)
     npx = ("npx", "--no-install")
@@ -123,7 +117,7 @@ def typescript_client(url: str, folder: Path) -> str:
 
 
 def main() -> None:
-    """Make the clients and compare them; ends with status 1 if one is wrong."""
+    """Make both clients and compare their answers; end with status 1 if one is wrong."""
     with running_service() as service, Client(service.url) as client:
         expected = client.ask("contact-force", BODY)["peak_force_N"]
         description = httpx.get(f"{service.url}/openapi.json", trust_env=False).text

@@ -20,18 +20,18 @@ from typing import Any, Self
 import httpx
 
 MOST_AT_ONCE, MOST_BYTES = 1000, 1 << 20
-"""Most requests of one batch, and bytes of it, that a service takes by default."""
+"""Most requests, and most bytes, of one batch that a service takes by default."""
 
 Answer = dict[str, Any]
-"""An answer as the service sends it; what was not asked for is not in it."""
+"""Answer as the service sends it; sections that were not asked for are absent."""
 
 
 @dataclass(frozen=True)
 class Fault:
-    """What is wrong with one field.
+    """One reason why a request was refused.
 
-    `pointer` is the JSON pointer of the field (empty: the request as a whole), `code` and `params`
-    are for programs, `detail` is for people; `was` is the code that this one replaces.
+    `pointer` is the JSON pointer of the field, empty for the request as a whole. Programs use
+    `code` and `params`, people read `detail`; `was` is an earlier code that `code` replaces.
     """
 
     pointer: str
@@ -42,7 +42,7 @@ class Fault:
 
 
 class Refused(Exception):
-    """A request that the service does not answer, and why; `problem` is all that it said."""
+    """Error of a request that the service does not answer; `problem` holds all that it sent."""
 
     def __init__(self, problem: Mapping[str, Any]) -> None:
         super().__init__(problem)
@@ -65,18 +65,18 @@ class Refused(Exception):
 
 
 class Client:
-    """A KHV Calc service.
+    """Connection to a KHV Calc service.
 
     Parameters
     ----------
     url : str
-        Where it is.
+        Address of the service.
     patience_s : float
-        How long a request is repeated while the service is busy, at the times that it names.
+        How long a request is repeated while the service is busy, s. The service names the times.
     timeout_s : float
-        Longest silence of the service in an answer.
+        Longest silence of the service in an answer, s.
     transport : httpx.BaseTransport, optional
-        Another way to the service: a proxy, certificates, tests.
+        Another way to the service, for a proxy, certificates or tests.
     """
 
     def __init__(
@@ -92,7 +92,7 @@ class Client:
             base_url=f"{url.rstrip('/')}/api/v1/",
             timeout=timeout_s,
             transport=transport,
-            limits=httpx.Limits(keepalive_expiry=2.0),  # less than the service keeps them
+            limits=httpx.Limits(keepalive_expiry=2.0),  # shorter than the service's
         )
 
     def __enter__(self) -> Self:
@@ -102,20 +102,20 @@ class Client:
         self.close()
 
     def close(self) -> None:
-        """Close its connections."""
+        """Close the connections to the service."""
         self._http.close()
 
     def get(self, name: str) -> Answer:
-        """What the service says of itself: `calculations`, `materials`, `words`, `examples`, ..."""
+        """Information of the service: `calculations`, `materials`, `words`, `examples`, ..."""
         with self._answer("GET", name) as answer:
             return _object(answer.read())
 
     def ask(
         self, calculation: str, body: Mapping[str, Any] | None = None, /, **fields: Any
     ) -> Answer:
-        """Answer of a calculation, or with `/chart` behind its name its Plotly figure.
+        """Answer of a calculation, or its Plotly figure if the name ends with `/chart`.
 
-        The request is `body` and `fields` together; NumPy's numbers and arrays may be in it.
+        The request joins `body` and `fields`, which may contain NumPy numbers and arrays.
 
         Raises
         ------
@@ -129,12 +129,9 @@ class Client:
     def file(
         self, export: str, body: Mapping[str, Any] | None = None, /, **fields: Any
     ) -> tuple[str, bytes]:
-        """Name and content of a file, such as `export/dxf`; the request as in `ask`.
+        """Name and content of a file, such as `export/dxf`.
 
-        Raises
-        ------
-        Refused
-            As `ask`.
+        The request is given, and `Refused` raised, as by `ask`.
         """
         content = _json({**(body or {}), **fields})
         with self._answer("POST", export, content, accept="*/*") as answer:
@@ -149,11 +146,12 @@ class Client:
         at_once: int = MOST_AT_ONCE,
         most_bytes: int = MOST_BYTES,
     ) -> Iterator[Answer | Refused]:
-        """Answers to many requests of one calculation, in their order, as they are done.
+        """Answers to many requests of one calculation, in their order, each as soon as it is done.
 
-        What cannot be answered is a `Refused` in its place, not raised. The requests are sent in
-        batches of `at_once` and `most_bytes` at most. The service does not wait long for a client
-        that takes no answers: do what takes longer afterwards.
+        A request that cannot be answered gives a `Refused` in its place; nothing is raised for it.
+        Requests are sent in batches of at most `at_once` requests and `most_bytes` bytes. The
+        service does not wait long for a client that takes no answers: do slow work after the last
+        answer.
         """
         head = f'{{"calculation": {json.dumps(calculation)}, "requests": ['
         for some in _cut(map(_json, bodies), at_once, most_bytes - len(head) - len("]}")):
@@ -167,7 +165,7 @@ class Client:
     def _answer(
         self, method: str, path: str, content: str | None = None, accept: str = "application/json"
     ) -> Iterator[httpx.Response]:
-        """A good answer, not read yet; a busy service is asked again when it says."""
+        """Yield a good answer, not read yet; a busy service is asked again when it says."""
         headers = {"accept": accept, "content-type": "application/json"}
         end = time.monotonic() + self.patience_s
         while True:
@@ -186,12 +184,12 @@ class Client:
 
 
 def is_called(said: Mapping[str, Any], code: str) -> bool:
-    """Whether a warning or a reason has a code: its own, or the one that it replaces."""
+    """True if a warning or a reason has this code, or has replaced it."""
     return code in (said["code"], said.get("was"))
 
 
 def _cut(requests: Iterable[str], at_once: int, most_bytes: int) -> Iterator[list[str]]:
-    """Requests in batches of so many, and of so many bytes with commas, but of one at least."""
+    """Batches of at most so many requests and bytes with commas, but of at least one request."""
     some: list[str] = []
     size = 0
     for each in requests:
@@ -205,7 +203,7 @@ def _cut(requests: Iterable[str], at_once: int, most_bytes: int) -> Iterator[lis
 
 
 def _json(body: Mapping[str, Any]) -> str:
-    """A request as it is sent, in ASCII."""
+    """JSON of a request, in ASCII."""
     return json.dumps(body, default=_plain, allow_nan=False)
 
 
@@ -215,7 +213,7 @@ def _object(text: str | bytes) -> Answer:
 
 
 def _plain(value: Any) -> Any:
-    """NumPy's numbers and arrays as JSON."""
+    """NumPy number or array as plain Python values."""
     if not hasattr(value, "tolist"):
         raise TypeError(f"{type(value).__name__} cannot be sent as JSON")
     return value.tolist()

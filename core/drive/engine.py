@@ -1,24 +1,25 @@
-"""One planar network in equilibrium: bodies, contacts with a gap and a law, springs, one torque.
+"""Equilibrium of a planar drive: bodies joined by contacts with gaps and springs, under a torque.
 
-Unknowns are displacements ``q`` of bodies (turn of the output; of a disc its turn, its shift along
-and across its crank) and ``b`` of pins that bend, two at each plane. The stored energy
-``sum U_i(approach_i) + K/2*(q, b)^2 - T*q_0`` is stationary. A contact is seen from its pin's ideal
-place, the real axis outward, the imaginary one as the output turns; there the crank points to
-``w = exp(-i*a)``. With ``m(t) = exp(-i*t) - 1``, t a lag:
+Unknowns are displacements ``q`` of bodies (rotation of the output; rotation of each disc and its
+shifts along and across its crank; three of a tie ring) and ``b`` of pins that bend (two at each
+plane). The energy ``sum U_i(approach_i) + (q, b).K.(q, b)/2 - T*sum(share*q)`` is stationary. A lag
+is a rotation against the direction in which the output turns. Complex numbers describe a contact
+from the ideal place of its pin: the real axis points outward, the imaginary axis as the output
+turns, the crank along ``w = exp(-i*a)``. With ``m(t) = exp(-i*t) - 1``:
 
-    PIN (circle in a circle)  s = eps + m(turn)*P - m(own)*H - shift*w + bend,  d = s - e_j*w,
-                              approach = |d| - (e_j + gap)
-    JOURNAL (of a crank in its disc)  the same without pin and hole: approach = |shift| - gap
-    LOBE (of a disc, on a pin of its ring)
+    PIN (pin in a hole)  s = eps + m(turn)*P - m(own)*H - shift*w + bend,  d = s - e_j*w,
+                         approach = |d| - (e_j + gap)
+    JOURNAL (crank in the bearing of its disc)  approach = |shift| - gap
+    LOBE (ring pin on a lobe of a disc)
         D = eps - (de + shift)*w + (exp(i*own) - 1)*P_0 + bend + R_m*(1 - exp(-i*s))
             - e*w*(1 - exp(-i*z_p*s)),  approach = gap - n.D  at the foot s of D on the path
 
-No difference of large numbers. FLANK is a pin's second foot, on the other flank of a valley that
-is narrower than the pin. First order in lags and errors is one flag of a group of contacts: its
-levers are held. Lags count against the direction in which the output turns.
-
-All functions here are compiled (`core.drive.compiled`), and run as they are without a compiler:
-floats, ints and arrays of numpy only. SI units.
+P and ``H = P - eps`` are the centres of pin and hole, P_0 is the ring pin's from the disc's centre,
+e_j the eccentricity of the crank, de its error, n the outward normal of the path. No formula takes
+a difference of large numbers. FLANK is the second foot of a ring pin on the other flank of a valley
+narrower than the pin. Without EXACT, a group is in first order of lags and errors, with the levers
+of perfect parts. All functions are compiled (`core.drive.compiled`) and take floats, ints, bools
+and NumPy arrays only, in SI units.
 """
 
 import math
@@ -30,48 +31,48 @@ Row = Annotated[FloatArray, "row"]
 Table = Annotated[FloatArray, "table"]
 Block = Annotated[FloatArray, "block"]
 Whole = Annotated[IntArray, "whole"]
-"""Arrays of one, two and three axes, and one of integers of two: of what each function takes its
-annotations say all, by which it is compiled."""
+"""Arrays of one, two and three axes, and of integers with two; functions are compiled by these
+annotations."""
 
 JOURNAL, PIN, LOBE, FLANK = range(4)
-"""Kind of a group: journal in its bearing, pin in its hole, which both are a circle in a circle;
-lobe of a disc on a pin, its second foot."""
+"""Kinds of a group: crank in its bearing, pin in its hole, ring pin on its lobe, second foot of a
+ring pin."""
 
 LINEAR, POWER, HERTZ, CONFORMAL = range(4)
-"""Laws of contact: `law`."""
+"""Laws of contact, see `law`."""
 
 KIND, LAW, START, STOP, TURN, OWN, ALONG, ACROSS, EXACT, OF = range(10)
-"""Integers of a group: its contacts, which displacements move it (-1: none), whether it is exact,
-and the group whose second feet it has."""
+"""Integers of a group: kind, law, first contact and end, indices of the displacements that move it
+(-1: none), 1 for exact geometry, and for a FLANK the group of the first feet."""
 
 (
-    RATE,  # of the wave by the crank
-    PHASE,  # rad
-    ECC,  # of its own crank, m
-    OFF,  # error of that, m
-    LATE,  # lag of the disc that it has by its errors, rad
-    LOBES,  # z_p, of a ring
-    TOOL_R,  # R_m, m
-    TOOL,  # r_m, m
-    EXPONENT,  # of the law
-    BASE_E,  # eccentricity of the disc as it is cut, m
+    RATE,  # turns of the wave for each turn of the crank
+    PHASE,  # angle at the crank angle 0, rad
+    ECC,  # eccentricity of its own crank, m
+    OFF,  # error of ECC, m
+    LATE,  # lag of the disc due to errors, rad
+    LOBES,  # number of ring pins z_p
+    TOOL_R,  # radius of the tool's circle R_m, m
+    TOOL,  # radius of the tool r_m, m
+    EXPONENT,  # exponent of the force law
+    BASE_E,  # nominal eccentricity, with which a disc is cut, m
     CIRCLE,  # radius of the pins' circle, m
-    SHORT,  # e*z_p over R_m; in first order over the circle
+    SHORT,  # e*z_p over R_m, in first order over CIRCLE
     HOLLOW,  # largest curvature of the path's valleys, 1/m
-    ROTATION,  # gap that a turned profile leaves, rad
-    RADIUS,  # of a pin of the ring, m
-    RATIO,  # u, the lobes of a disc
+    ROTATION,  # rotation of a modified profile: gap over lever, rad
+    RADIUS,  # radius of a ring pin, m
+    RATIO,  # ratio u, with a ring the number of lobes of a disc
 ) = range(16)
-"""Floats of a group."""
+"""Floats of a group of contacts."""
 
 BLOCK, PLANE, FIRST = range(3)
-"""Integers of a contact: block and plane of a pin that bends (-1: none), the first foot's contact
-of a second one."""
+"""Integers of a contact: block and plane of a pin that bends (-1: none); of a FLANK, the contact
+with the first foot."""
 
 CB, SB, PX, PY, EX, EY, GAP, A, B, LIMIT, RAD, CURVED, WIDER = range(13)
-"""Floats of a contact: cosine and sine of its place, pin's place, its error against the hole or the
-tool, gap (m; PIN: of the radii, LOBE: by which the pin is wider than the tool), constants of the
-law, force at which that ends, radius of the pin, difference of the curvatures, radial clearance."""
+"""Floats of a contact: cosine and sine of its angle, place of the pin and its error against hole or
+tool, m, gap, m (of a LOBE the excess of the pin's radius over the tool's), constants A and B of the
+law, largest force of the law, radius of the pin, difference of curvatures, radial clearance."""
 
 (
     CA,
@@ -97,10 +98,10 @@ law, force at which that ends, radius of the pin, difference of the curvatures, 
     UX,
     UY,
 ) = range(22)
-"""Floats of a contact at a position: angle, law, gap, slope of the path, lever of perfect parts,
-difference of curvatures, distance to the pitch point, foot; approach, force, stiffness, normal, bow
-of the distance, arm of the pin (of a lobe: how far it is off its place), arm of the disc, the
-disc's turn."""
+"""Floats of a contact at a position: cosine and sine of its angle; constant and largest force of
+the law, gap, slope of the path, lever of perfect parts, difference of curvatures, distance to the
+pitch point, foot; approach, force, stiffness, normal, curvature of the distance, arm of the pin (of
+a LOBE its offset from its ideal place), arm and rotation of the disc."""
 
 (
     STATUS,
@@ -125,75 +126,75 @@ disc's turn."""
     LOST,
     INTERFERENCE,
 ) = range(21)
-"""Read-outs of a position. Lags count in the direction of the torque. PRESSED of contacts is the
-largest force over reduced radius, of contacts that wrap times the square of their pressure over
-Hertz's; RUB the largest force times its distance to the pitch point, and the root of PRESSED times
-that; ALONG forces of the ring on a disc along its crank, to the axis; INTERFERENCE the smallest
-possible worst approach without load."""
+"""Read-outs of a position. LAG, LOW and HIGH count in the direction of the torque. PRESSED is 1 if
+parts press without load; PIN_PRESSED and LOBE_PRESSED are the largest force over reduced radius of
+`pressing`. RUB is the largest product of force and distance to the pitch point, RUB_PRESSED that of
+the root of force over reduced radius and that distance. ALONG is the force of the ring on a disc
+along its crank towards the axis, INTERFERENCE the least value over all lags of the largest approach
+without load."""
 
 SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE = range(5)
 """Status of a position."""
 
 FITS, BINDS, NOWHERE = 2, 1, 0
-"""A piece goes together everywhere, somewhere, nowhere."""
+"""Places at which a piece goes together without load: all, some or none."""
 
 CLASS = 1e-11
-"""Unbalance after the last step but one, over the largest force: the last one leaves its square."""
+"""Unbalance over the largest force before the last step, which leaves its square."""
 
 STILL = 128 * 2.0**-52
-"""Step over the displacements that is rounding: under a torque of next to nothing no step is less.
-"""
+"""Step over the largest displacement that is rounding; tiny torques allow no smaller step."""
 
 LEAST_DAMP, LIGHT = 1e-3, 1e-2
-"""Stiffness, N/m, by which displacements are held that nothing else holds, and one that holds
-nothing else."""
+"""Damping stiffness, N/m: the first one where nothing else holds a displacement, and one that is
+too small to have another effect."""
 
 REACH = 5e-6
-"""First step at most, m; later ones grow to `FURTHEST` of it."""
+"""Longest first step, m; later steps grow up to `FURTHEST` times as long."""
 
 FURTHEST = 50.0
 STEPS_MOST = 400
 
 HERTZ_END = 1.2
-"""Where the logarithm of the Hertz law ends, in ``approach/(b*force)``: its stiffness would grow
-beyond bounds at 1. It goes on as a straight line; what lies there is refused afterwards."""
+"""Least ``approach/(b*force)`` of Hertz's law, whose stiffness is infinite at 1. The law goes on as
+a straight line, and forces on this line are refused afterwards."""
 
 WRAP_BEND = 0.4
-"""Constant of the width of contacts that wrap, see `core.output.conformal_law.BEND`."""
+"""Constant in the width of conformal contacts, equal to `core.output.conformal_law.BEND`."""
 
 EPS = 2.0**-52
 TINY = 1e-100
 NOTHING = 1e-9
-"""Force over the largest one that no disc carries."""
+"""Force over the largest one up to which a disc carries nothing."""
 
 FEET = 30
-"""Steps to a foot at most; the longest is `FAR_STEP` of the angle of a pitch."""
+"""Largest number of steps to a foot; the longest step is `FAR_STEP` over z_p, rad."""
 
 FAR_STEP = 0.1
 NO_TURN = 1e-3
-"""Lever over the longest one below which a pin, at its dead angle, limits no play."""
+"""Lever over the longest one below which a ring pin, near its dead angle, limits no play."""
 
 CLOSE = 1e-5
-"""Last step of Newton to the end of a play, over that: what is left is a part of its square."""
+"""Last step of Newton to the end of a play, over the play; an error of its square is left."""
 
 NO_LEVER = 1e-12
-"""Lever over the radius that drives nothing."""
+"""Lever over the radius of the pin circle up to which a contact carries no torque."""
 
 FAR_LAG = 1e-2
-"""Longest step of a lag, rad."""
+"""Longest step of a lag in `rest`, rad."""
 
 FAINT = 1e-12
-"""Stiffness over the largest by which discs that float are held."""
+"""Stiffness that holds discs that float, over the largest stiffness."""
 
 NEXT_TO_NONE = 1e-1, 1e-3, 1e-5, 1e-7, 1e-9
-"""Approaches of a pin over the clearance of a bearing: discs that float are pushed by its force at
-each, one after the other, to the end of their play."""
+"""Approaches of a pin over the clearance of crank bearings. Forces at these approaches, one after
+the other, push discs that float to the end of their play."""
 
 PRESSES = 1e-5
-"""Such an approach, under whose force parts press that carry next to none."""
+"""Approach over the clearance of crank bearings; a larger force than at it presses without load."""
 
 LEAST_PLAY = 1e-14
-"""Lags that differ by no more are rounding, rad."""
+"""Difference of lags that may be rounding, rad."""
 
 ROUNDED = 1e3 * EPS
 """Approach over the sizes of its terms that may be rounding."""
@@ -201,64 +202,66 @@ ROUNDED = 1e3 * EPS
 HALVINGS = 200
 MIDDLES = 12
 PLACE = 1e-10
-"""Width to which a summit is narrowed, rad."""
+"""Width of the bracket about a summit at which `narrow` ends, rad."""
 
 FLAT = 1e-13
-"""How far one may fall to both ends of what is left, as a part of its height, to be found."""
+"""Fall from a summit to both ends of its bracket, over its height, at which `narrow` ends."""
 
 BESIDE = 0.02
-"""How far beside the best place the next is at least, as a part of what is left."""
+"""Least distance of the next place from the best one, over the width of the bracket."""
 
 GOLDEN = (math.sqrt(5) - 1) / 2
 
 
 class Drive(NamedTuple):
-    """A drive: its groups of contacts, springs and torque."""
+    """Groups of contacts, springs and shares of the torque of a drive."""
 
     gi: Whole  # [G, 10] integers of the groups
-    gf: Table  # [G, 16] their floats
+    gf: Table  # [G, 16] floats of the groups
     ci: Whole  # [n, 3] integers of the contacts
-    cf: Table  # [n, 13] their floats
-    table: Row  # of the conformal law, see `over_width`
-    kgg: Table  # springs between bodies
-    kbb: Table  # of a pin that bends
-    kbg: Block  # between both
-    share: Row  # of the torque that bodies carry
-    weight: Row  # squares of the lengths by which displacements count, m^2 or 1
+    cf: Table  # [n, 13] floats of the contacts
+    table: Row  # constants of the conformal law, see `over_width`
+    kgg: Table  # [bodies, bodies] stiffness between bodies
+    kbb: Table  # [2*K, 2*K] stiffness of a pin that bends
+    kbg: Block  # [pins, 2*K, bodies] stiffness between bending pins and bodies
+    share: Row  # share of the torque on each body
+    weight: Row  # weights of squared displacements: squared radius, m^2, or 1
 
 
 class Work(NamedTuple):
-    """Room for one position."""
+    """Arrays for the solution of one position; ``w`` has the floats of contacts at a position."""
 
-    q: Row
-    b: Table
-    w: Table  # [n, 22]
-    grad: Table  # [n, 6] of the approaches
-    side: Row  # [6] across the normal
-    hgg: Table
-    hbb: Block
-    low: Block  # its factor
-    used: Row  # 1 for a pin that something moves, else 0
-    hbg: Block
-    rg: Row
-    rb: Table
-    sol: Block
-    red: Table
-    p: Table
-    pb: Table
-    kept: Row  # displacements that are looked at again
-    bends: Table  # and of pins
-    last: Table  # how pins were bent at the position before, and at the one before that
-    older: Table
-    sides: Table  # and those under a torque in either direction
-    play: Table  # [bodies, 2] of each disc in its ring
-    wrench: Table  # [G, 3] on the disc along its crank, across it, and about its centre
+    q: Row  # displacements of bodies
+    b: Table  # [pins, 2*K] bending of pins, m
+    w: Table  # [n, 22] floats of contacts
+    grad: Table  # [n, 6] gradient of each approach by turn, own, along, across and bending
+    side: Row  # [6] derivatives of a contact's place across its normal
+    hgg: Table  # second derivatives of the energy by bodies
+    hbb: Block  # second derivatives by bending of each pin
+    low: Block  # factors of hbb
+    used: Row  # 1 for a pin that a contact or a body bends, 0 for others
+    hbg: Block  # second derivatives by bending and bodies
+    rg: Row  # unbalance of bodies
+    rb: Table  # unbalance of bending pins
+    sol: Block  # solutions of hbb for hbg and -rb
+    red: Table  # hgg without bending pins, then its factor
+    p: Table  # step of bodies
+    pb: Table  # step of bending pins
+    kept: Row  # displacements kept while a play is solved
+    bends: Table  # bending kept while a play is solved
+    last: Table  # bending of pins at the position before
+    older: Table  # bending of pins at the last position but one
+    sides: Table  # [2, bodies] displacements under a torque in either direction
+    play: Table  # [bodies, 2] least and largest lag of each disc in its ring
+    # [G, 3] on the disc: force along its crank towards the axis, force across it against its
+    # rotation, N, and torque about its centre, N*m
+    wrench: Table
 
 
 def over_width(x: float, table: Row) -> tuple[float, float]:
-    """``Delta/dR`` of a contact that wraps over its load x, and its derivative by it; see
-    `core.output.conformal_law.Curve`. The table: modulus, widest, number n of powers, these;
-    modulus, load since which it governs, widest and powers of the largest pressure.
+    """``Delta/dR`` over the load x of a conformal contact, and the derivative of ``Delta/dR``.
+    Table: modulus, widest, n and n powers of `conformal_law.Curve`; modulus, since, widest, powers
+    of `Wrap`.
     """
     width, widest = math.sqrt(x / (1 + WRAP_BEND * x)), table[1]
     beyond = width >= widest
@@ -276,7 +279,7 @@ def over_width(x: float, table: Row) -> tuple[float, float]:
 
 
 def excess(x: float, table: Row) -> float:
-    """Square of the largest pressure of a contact that wraps over Hertz's, under the load x."""
+    """Square of a conformal contact's largest pressure over Hertz's, under the load x."""
     at = 3 + int(table[2])
     place = 2 * min(math.sqrt(x / (1 + WRAP_BEND * x)) / table[at + 2], 1.0) - 1
     value = 0.0
@@ -286,7 +289,7 @@ def excess(x: float, table: Row) -> float:
 
 
 def wrapped(d: float, a: float, b: float, near: float, table: Row) -> tuple[float, float]:
-    """Force and stiffness of a contact that wraps, by Newton in logarithms."""
+    """Force and stiffness of a conformal contact at an approach, by Newton in logarithms."""
     aim = d * table[0] / a
     x, tangent = near / a if near > 0 else aim, 1.0
     for _ in range(16):
@@ -314,7 +317,7 @@ def line(d: float, a: float, b: float) -> tuple[float, float]:
 
 
 def power(d: float, a: float, b: float, n: float) -> tuple[float, float]:
-    """Force and stiffness of ``F = a*x^n``, with a compliance in series: ``x + b*F = d``."""
+    """Force and stiffness of ``F = a*x^n`` with a compliance b in series, ``x + b*F = d``."""
     f = a * d**n
     if b == 0:
         return f, n * f / d
@@ -333,7 +336,7 @@ def power(d: float, a: float, b: float, n: float) -> tuple[float, float]:
 
 
 def law(i: int, g: int, near: float, drive: Drive, w: Table) -> tuple[float, float]:
-    """Force and stiffness of a contact at its approach > 0; near is a force nearby, or 0."""
+    """Force and stiffness of a contact at its approach > 0; ``near`` is a force nearby, or 0."""
     kind, d, a, b = drive.gi[g, LAW], w[i, DELTA], w[i, LAW_A], drive.cf[i, B]
     if kind == LINEAR:
         return d / a, 1 / a
@@ -345,7 +348,7 @@ def law(i: int, g: int, near: float, drive: Drive, w: Table) -> tuple[float, flo
 
 
 def turned(t: float) -> tuple[float, float]:
-    """``exp(-i*t) - 1``."""
+    """Real and imaginary part of ``exp(-i*t) - 1``."""
     if abs(t) < 0.03:
         x = t * t
         less = x * (0.5 - x * (1 / 24 - x * (1 / 720 - x / 40320)))
@@ -355,7 +358,7 @@ def turned(t: float) -> tuple[float, float]:
 
 
 def place(phi: float, drive: Drive, work: Work) -> None:
-    """Angles, levers and laws of all contacts at a crank angle, rad."""
+    """Set angles, gaps, levers and laws of all contacts at a crank angle, rad."""
     gi, gf, cf, w = drive.gi, drive.gf, drive.cf, work.w
     for g in range(len(gi)):
         angle = gf[g, RATE] * phi + gf[g, PHASE]
@@ -372,7 +375,7 @@ def place(phi: float, drive: Drive, work: Work) -> None:
 
 
 def place_lobe(i: int, g: int, drive: Drive, w: Table) -> None:
-    """Slope, lever, curvature and law of a lobe on its pin, of perfect parts."""
+    """Set slope, gap, lever, curvature and law of a lobe on its pin, for perfect parts."""
     gf, cf, ca, sa = drive.gf, drive.cf, w[i, CA], w[i, SA]
     z, tool = gf[g, LOBES] - 1, gf[g, TOOL_R]
     less = sa * sa / (1 + ca) if ca > 0 else 1 - ca
@@ -390,7 +393,7 @@ def place_lobe(i: int, g: int, drive: Drive, w: Table) -> None:
     bend = (1 - k) * (1 - gf[g, LOBES] * k) + (gf[g, LOBES] + 1) * k * less
     bend /= tool * slope * slope * slope
     curved = 1 / cf[i, RAD] + bend / (1 - gf[g, TOOL] * bend)
-    # A pin that is wider than its valley has no such contact: as good as flat.
+    # A pin wider than its valley does not touch there: its contact counts as flat.
     curved = max(curved, EPS / cf[i, RAD])
     w[i, BENT] = curved
     if drive.gi[g, LAW] == HERTZ:
@@ -399,25 +402,25 @@ def place_lobe(i: int, g: int, drive: Drive, w: Table) -> None:
 
 
 def moved(index: int, q: Row) -> float:
-    """A displacement, 0 where nothing moves."""
+    """Displacement of an index, 0 for the index -1."""
     return q[index] if index >= 0 else 0.0
 
 
 def disc_at(g: int, q: Row, drive: Drive) -> tuple[float, float, float]:
-    """Lag of a group's disc, and its shift along and across its crank."""
+    """Lag of a group's disc, rad, and its shifts along and across its crank, m."""
     gi = drive.gi
     own = drive.gf[g, LATE] + moved(gi[g, OWN], q)
     return own, moved(gi[g, ALONG], q), moved(gi[g, ACROSS], q)
 
 
 def bent(i: int, b: Table, drive: Drive) -> tuple[float, float]:
-    """How far the pin of a contact is bent."""
+    """Bending of a contact's pin at its plane, outward and as the output turns, m."""
     block, at = drive.ci[i, BLOCK], 2 * drive.ci[i, PLANE]
     return (b[block, at], b[block, at + 1]) if block >= 0 else (0.0, 0.0)
 
 
 def pin(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
-    """Approach of a pin in its hole, its normal and arms."""
+    """Set approach, normal and arms of a pin in its hole or of a crank in its bearing."""
     own, ta, tc = disc_at(g, q, drive)
     turn, (bx, by) = moved(drive.gi[g, TURN], q), bent(i, b, drive)
     gf, cf, ca, sa = drive.gf, drive.cf, w[i, CA], -w[i, SA]
@@ -448,9 +451,7 @@ def pin(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
 
 
 def lobe(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
-    """Approach of a disc to a pin of its ring, its normal and arms; of a pin that cannot touch as
-    of a straight path.
-    """
+    """Set approach, normal and arms of a ring pin; only one that may touch looks for its foot."""
     own, ta, tc = disc_at(g, q, drive)
     bx, by = bent(i, b, drive)
     gf, cf, ca, sa, k = drive.gf, drive.cf, w[i, CA], -w[i, SA], drive.gf[g, SHORT]
@@ -483,12 +484,7 @@ def lobe(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
 
 
 def foot_of(i: int, g: int, drive: Drive, w: Table) -> None:
-    """Approach and normal at the foot on the path of a pin, by how far it is off its ideal place
-    there, and where it is from the disc's centre.
-
-    The path is its own mirror image in the axes of its valleys and lobes: of a pin between two of
-    them no point beyond either is nearest, and there the distance has a minimum.
-    """
+    """Set approach and normal of a ring pin at its foot on the path, by Newton in a bracket."""
     gf, ca, sa = drive.gf, w[i, CA], -w[i, SA]
     bx, by, px, py = w[i, AX], w[i, AY], w[i, HX], w[i, HY]
     e, radius, pins, k = gf[g, BASE_E], gf[g, TOOL_R], gf[g, LOBES], gf[g, SHORT]
@@ -497,6 +493,8 @@ def foot_of(i: int, g: int, drive: Drive, w: Table) -> None:
     off = 4 * math.sqrt(bx * bx + by * by)
     final = off / radius / (1 - k)
     first, foot = -final, w[i, FOOT]
+    # The path is symmetric about the axes of its valleys and lobes: a pin between two axes has its
+    # nearest point between them, and there the distance has a minimum.
     if second or off > gf[g, TOOL] or off * (pins * k - 1) > radius * (1 - k) * (1 - k):
         angle, half = math.atan2(-sa, ca) / (pins - 1), math.pi / (pins - 1)
         at = math.floor((angle - math.atan2(py, px)) / half)
@@ -543,7 +541,7 @@ def foot_of(i: int, g: int, drive: Drive, w: Table) -> None:
 
 
 def touch(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
-    """Approach of a contact at displacements."""
+    """Set the approach of a contact at the displacements q and b."""
     if drive.gi[g, KIND] <= PIN:
         pin(i, g, q, b, drive, w)
     else:
@@ -551,9 +549,7 @@ def touch(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
 
 
 def slopes(i: int, g: int, drive: Drive, work: Work) -> tuple[float, float]:
-    """Gradient of a contact's approach by its six displacements, and the same across its normal;
-    the sum of the second derivatives of its place, along the normal, by the turns of pin and disc.
-    """
+    """Set a contact's ``grad``, ``side``; return second derivatives by turns of output and disc."""
     w, grad, side, kind = work.w, work.grad, work.side, drive.gi[g, KIND]
     nx, ny, ca, sa, ux, uy = w[i, NX], w[i, NY], w[i, CA], -w[i, SA], w[i, UX], w[i, UY]
     hx, hy, ax, ay = w[i, HX], w[i, HY], w[i, AX], w[i, AY]
@@ -575,7 +571,7 @@ def slopes(i: int, g: int, drive: Drive, work: Work) -> tuple[float, float]:
 
 
 def press(i: int, g: int, f: float, k: float, drive: Drive, work: Work) -> None:
-    """Add a contact with a force to the balance and its derivatives."""
+    """Add force f and stiffness k of a contact to the balance and its derivatives."""
     gi, w, grad, side = drive.gi, work.w, work.grad, work.side
     by_turn, by_own = slopes(i, g, drive, work)
     bow, block, curved = f * w[i, BOW], drive.ci[i, BLOCK], gi[g, KIND] > PIN
@@ -594,7 +590,7 @@ def press(i: int, g: int, f: float, k: float, drive: Drive, work: Work) -> None:
                 x += f * (by_turn if s == 0 else (by_own if s == 1 else 0.0))
                 work.hgg[row, row] += x
                 continue
-            if t == 1 and curved:  # the shift turns with the disc
+            if t == 1 and curved:  # shifts turn with the disc
                 x += f * -side[s] if s > 1 else 0.0
             work.hgg[row, col] += x
             work.hgg[col, row] += x
@@ -605,7 +601,7 @@ def press(i: int, g: int, f: float, k: float, drive: Drive, work: Work) -> None:
 def press_block(
     i: int, g: int, f: float, k: float, bow: float, curved: bool, drive: Drive, work: Work
 ) -> None:
-    """Add a contact with a force to the balance of its pin that bends."""
+    """Add a contact's force and stiffness to the equations of its bending pin."""
     gi, grad, side, block = drive.gi, work.grad, work.side, drive.ci[i, BLOCK]
     at = 2 * drive.ci[i, PLANE]
     work.used[block] = 1.0
@@ -625,7 +621,7 @@ def press_block(
 
 
 def springs(torque: float, drive: Drive, work: Work) -> None:
-    """Balance and its derivatives by springs and the torque."""
+    """Set the balance and its derivatives to those of springs and torque."""
     q, b = work.q, work.b
     for i in range(len(q)):
         work.rg[i] = -torque * drive.share[i]
@@ -648,7 +644,7 @@ def springs(torque: float, drive: Drive, work: Work) -> None:
 
 
 def assemble(torque: float, drive: Drive, work: Work) -> None:
-    """Balance of all displacements, its derivatives, and the forces there."""
+    """Set balance, derivatives and contact forces at the displacements q and b."""
     gi, w = drive.gi, work.w
     springs(torque, drive, work)
     for g in range(len(gi)):
@@ -663,7 +659,7 @@ def assemble(torque: float, drive: Drive, work: Work) -> None:
 
 
 def factor(m: Table, n: int) -> bool:
-    """Cholesky in place; whether all pivots are positive."""
+    """Factor a matrix by Cholesky, in place; False if a pivot is not positive."""
     for j in range(n):
         s = m[j, j]
         for k in range(j):
@@ -680,7 +676,7 @@ def factor(m: Table, n: int) -> bool:
 
 
 def back(m: Table, x: Table, n: int, col: int) -> None:
-    """Solve with the factor, a column of x in place."""
+    """Solve for a column of x, in place, with the matrix from `factor`."""
     for i in range(n):
         s = x[i, col]
         for k in range(i):
@@ -694,7 +690,7 @@ def back(m: Table, x: Table, n: int, col: int) -> None:
 
 
 def free(m: int, work: Work) -> None:
-    """Step of a pin that nothing moves: back to where it is straight."""
+    """Set the step of a pin without contact: back to straight."""
     moved = 0.0
     for i in range(work.rb.shape[1]):
         moved += abs(work.rb[m, i])
@@ -705,9 +701,7 @@ def free(m: int, work: Work) -> None:
 
 
 def reduced(damp: float, drive: Drive, work: Work) -> bool:
-    """Factor of the bodies' equations with each pin's block eliminated first, ``p`` their right
-    side; whether all is convex.
-    """
+    """Eliminate bending pins, factor the rest of the equations; False if it is not convex."""
     low, hbg, sol, red, p = work.low, work.hbg, work.sol, work.red, work.p
     ng, blocks, nb = len(work.rg), work.rb.shape[0], work.rb.shape[1]
     for i in range(ng):
@@ -739,7 +733,7 @@ def reduced(damp: float, drive: Drive, work: Work) -> bool:
 
 
 def direction(damp: float, drive: Drive, work: Work) -> bool:
-    """Newton's step; False where the energy is not convex."""
+    """Set Newton's step ``p``, ``pb``; False if the energy is not convex."""
     if not reduced(damp, drive, work):
         return False
     ng, sol = len(work.rg), work.sol
@@ -754,7 +748,7 @@ def direction(damp: float, drive: Drive, work: Work) -> bool:
 
 
 def go(part: float, work: Work) -> None:
-    """Go a part of the step."""
+    """Add a part of the step to the displacements."""
     for i in range(len(work.q)):
         work.q[i] += part * work.p[i, 0]
     for m in range(work.b.shape[0]):
@@ -774,7 +768,7 @@ def along_step(work: Work) -> float:
 
 
 def change(i: int, g: int, drive: Drive, work: Work) -> float:
-    """Change of a contact's approach by the step."""
+    """Change of a contact's approach by the step, in first order, m."""
     gi, found, block = drive.gi, 0.0, drive.ci[i, BLOCK]
     for s in range(4):
         if gi[g, TURN + s] >= 0:
@@ -786,9 +780,7 @@ def change(i: int, g: int, drive: Drive, work: Work) -> float:
 
 
 def left_over(damp: float, step: float, drive: Drive, work: Work) -> float:
-    """Unbalance after the step, over the largest force: second order of the laws, pairs
-    that might touch, and what damping holds.
-    """
+    """Estimate of the unbalance after the step, in second order, over the largest force."""
     gi, w, top, rest = drive.gi, work.w, 0.0, 0.0
     for i in range(len(work.q)):
         rest = max(rest, damp * abs(work.p[i, 0]) * math.sqrt(drive.weight[i]))
@@ -809,9 +801,7 @@ def left_over(damp: float, step: float, drive: Drive, work: Work) -> float:
 
 
 def settled(slope: float, work: Work) -> bool:
-    """True where the energy that a step would release moves no force by more than the class: a disc
-    that carries nothing may drift on.
-    """
+    """True if the step releases too little energy to change a force by `CLASS` of the largest."""
     top = stiff = 0.0
     for i in range(len(work.w)):
         top, stiff = max(top, work.w[i, FORCE]), max(stiff, work.w[i, STIFF])
@@ -819,7 +809,7 @@ def settled(slope: float, work: Work) -> bool:
 
 
 def length_of(drive: Drive, work: Work) -> float:
-    """Length of the step, m."""
+    """Largest change of a displacement by the step, m."""
     step = 0.0
     for i in range(len(work.q)):
         step = max(step, abs(work.p[i, 0]) * math.sqrt(drive.weight[i]))
@@ -830,7 +820,7 @@ def length_of(drive: Drive, work: Work) -> float:
 
 
 def far_off(drive: Drive, work: Work) -> float:
-    """Largest of the displacements, m."""
+    """Largest displacement of a body, m."""
     far = 0.0
     for i in range(len(work.q)):
         far = max(far, abs(work.q[i]) * math.sqrt(drive.weight[i]))
@@ -838,7 +828,7 @@ def far_off(drive: Drive, work: Work) -> float:
 
 
 def afloat(drive: Drive) -> float:
-    """How far discs float to either side in their bearings, m; 0 where they do not."""
+    """Radial clearance of crank bearings in which discs float, m; 0 if they do not."""
     for g in range(len(drive.gi)):
         if drive.gi[g, KIND] == JOURNAL:
             return float(drive.cf[drive.gi[g, START], GAP])
@@ -846,9 +836,7 @@ def afloat(drive: Drive) -> float:
 
 
 def held(drive: Drive, work: Work) -> None:
-    """Hold discs without force where they are, and faintly those that float: what only just touches
-    one leaves it free all the same.
-    """
+    """Add a stiffness to bodies that nothing holds, and a faint one to discs that float."""
     most = 0.0
     for i in range(len(work.q)):
         most = max(most, work.hgg[i, i] / drive.weight[i])
@@ -860,7 +848,7 @@ def held(drive: Drive, work: Work) -> None:
 
 
 def last_step(torque: float, drive: Drive, work: Work) -> None:
-    """A step at whose end the balance is known, and one more with which forces follow straight."""
+    """Take the last step of Newton, and one more along which forces change linearly."""
     gi, w = drive.gi, work.w
     go(1.0, work)
     assemble(torque, drive, work)
@@ -876,9 +864,7 @@ def last_step(torque: float, drive: Drive, work: Work) -> None:
 
 
 def solve(torque: float, drive: Drive, work: Work) -> int:
-    """Equilibrium near q and b, in place, at the angle of `place`; the number of steps, negative
-    where none was found. Balance and derivatives are those of the end.
-    """
+    """Solve the equilibrium near q and b in place; return the steps taken, negative on failure."""
     gone = damp = slope = step = 0.0
     cap, cuts = REACH, 0
     for count in range(1, STEPS_MOST):
@@ -910,7 +896,7 @@ def solve(torque: float, drive: Drive, work: Work) -> int:
 
 
 def rounding(i: int, g: int, lag: float, drive: Drive) -> float:
-    """Approach of a pin of the ring that may be rounding."""
+    """Largest approach of a ring pin that may be rounding, m."""
     cf, gf = drive.cf, drive.gf
     size = abs(cf[i, EX]) + abs(cf[i, EY]) + abs(cf[i, GAP]) + abs(gf[g, OFF])
     turn = abs(lag) + abs(gf[g, LATE]) + gf[g, ROTATION]
@@ -918,24 +904,22 @@ def rounding(i: int, g: int, lag: float, drive: Drive) -> float:
 
 
 def of_ring(g: int, body: int, drive: Drive) -> bool:
-    """True for a group of lobes that turn with a body."""
+    """True if a group's lobes turn with a body."""
     return bool(drive.gi[g, KIND] == LOBE and drive.gi[g, OWN] == body)
 
 
 def dead(g: int, drive: Drive) -> float:
-    """Lever below which a pin limits no play, m."""
+    """Lever below which a ring pin limits no play, m."""
     return float(NO_TURN * drive.gf[g, BASE_E] * (drive.gf[g, LOBES] - 1))
 
 
 def turns(i: int, w: Table) -> float:
-    """Lever of a lobe by the lag of its disc, as `touch` left it."""
+    """Derivative of a ring pin's approach by the lag of its disc after `touch`, m."""
     return float(w[i, NY] * w[i, HX] - w[i, NX] * w[i, HY])
 
 
 def ring_end(side: float, body: int, drive: Drive, work: Work) -> float:
-    """Lag at which the first pin of the ring touches on a side that turns the disc back: Newton for
-    each pin, and of their roots the nearest.
-    """
+    """Lag at which the first ring pin stops a disc that turns to the side 1 or -1, by Newton."""
     gi, w, lag = drive.gi, work.w, 0.0
     for step in range(13):
         best, work.q[body] = math.inf, lag
@@ -959,9 +943,7 @@ def ring_end(side: float, body: int, drive: Drive, work: Work) -> float:
 
 
 def pressed_at(lag: float, side: float, body: int, drive: Drive, work: Work) -> bool:
-    """True where a pin presses at a lag that does not limit it on a side; for 0 one at its dead
-    angle, of which first order knows no other.
-    """
+    """True if a ring pin presses that does not limit a side (side 0: one at its dead angle)."""
     gi, w = drive.gi, work.w
     work.q[body] = lag
     for g in range(len(gi)):
@@ -977,7 +959,7 @@ def pressed_at(lag: float, side: float, body: int, drive: Drive, work: Work) -> 
 
 
 def on_top(i: int, g: int, drive: Drive, w: Table) -> float:
-    """Lag at which a pin stands on the top of a lobe, the nearest to none."""
+    """Lag next to 0 at which a ring pin stands on the top of a lobe, rad."""
     gf, ca, sa = drive.gf, w[i, CA], w[i, SA]
     z = gf[g, LOBES] - 1
     x = drive.cf[i, PX] - gf[g, ECC] * ca
@@ -988,7 +970,7 @@ def on_top(i: int, g: int, drive: Drive, w: Table) -> float:
 
 
 def presses_on_top(i: int, g: int, body: int, drive: Drive, work: Work) -> bool:
-    """True where a pin presses the top of its lobe."""
+    """True if a ring pin presses the top of its lobe."""
     lag = on_top(i, g, drive, work.w)
     work.q[body] = lag
     touch(i, g, work.q, work.b, drive, work.w)
@@ -996,7 +978,7 @@ def presses_on_top(i: int, g: int, body: int, drive: Drive, work: Work) -> bool:
 
 
 def passed(low: float, high: float, body: int, drive: Drive, work: Work) -> bool:
-    """True where a pin presses the top of a lobe that it passes between two lags."""
+    """True if a ring pin presses the top of a lobe that it passes between two lags."""
     gi, w = drive.gi, work.w
     for g in range(len(gi)):
         if not of_ring(g, body, drive) or gi[g, EXACT] == 0:
@@ -1012,7 +994,7 @@ def passed(low: float, high: float, body: int, drive: Drive, work: Work) -> bool
 
 
 def worst_at(lag: float, body: int, drive: Drive, work: Work) -> tuple[float, float, int, int]:
-    """Largest approach of a ring's pins at a lag, how it grows, whose it is, and its group."""
+    """Largest approach of a body's ring pins at a lag, its derivative, contact and group."""
     gi, w, worst, slope, first, group = drive.gi, work.w, -math.inf, 0.0, -1, -1
     work.q[body] = lag
     for g in range(len(gi)):
@@ -1028,9 +1010,7 @@ def worst_at(lag: float, body: int, drive: Drive, work: Work) -> tuple[float, fl
 
 
 def next_top(first: float, last: float, body: int, drive: Drive, work: Work) -> float:
-    """The first lag between two at which a pin on the top of a lobe is what presses most, or the
-    last one.
-    """
+    """First of the lags up to ``last`` at which a pin on the top of a lobe presses most."""
     gi, w = drive.gi, work.w
     for g in range(len(gi)):
         if not of_ring(g, body, drive) or gi[g, EXACT] == 0:
@@ -1046,13 +1026,12 @@ def next_top(first: float, last: float, body: int, drive: Drive, work: Work) -> 
 
 
 def freest(low: float, high: float, body: int, drive: Drive, work: Work) -> tuple[float, float]:
-    """The lag between two at which the worst approach is least, and that. Between lags at which a
-    pin on the top of a lobe is the worst it falls and then rises: its slope's sign is bisected.
-    """
+    """Lag between two at which ring pins press least, and their largest approach there."""
     found, least, first = low, math.inf, low
     while first < high:
         last = next_top(first, high, body, drive, work)
         below, above = first, last
+        # Up to a lag with a pin on a lobe's top, the largest approach falls, then rises: bisection.
         for _ in range(HALVINGS):
             lag = (below + above) / 2
             worst, slope, _, _ = worst_at(lag, body, drive, work)
@@ -1069,7 +1048,7 @@ def freest(low: float, high: float, body: int, drive: Drive, work: Work) -> tupl
 
 
 def first_touch(lag: float, far: float, body: int, drive: Drive, work: Work) -> float:
-    """Lag at which the first pin touches between one at which none does and a far one, bisected."""
+    """Lag at which the first ring pin touches between a free and a far one, by bisection."""
     gi, w = drive.gi, work.w
     for g in range(len(gi)):
         if not of_ring(g, body, drive):
@@ -1091,7 +1070,7 @@ def first_touch(lag: float, far: float, body: int, drive: Drive, work: Work) -> 
 
 
 def quarter(body: int, drive: Drive) -> float:
-    """A quarter of the pitch of a body's lobes: further no disc turns before its pins hold it."""
+    """Quarter of a pitch of a body's lobes, rad: by then its ring pins stop a disc."""
     for g in range(len(drive.gi)):
         if of_ring(g, body, drive):
             return float(math.pi / 2 / (drive.gf[g, LOBES] - 1))
@@ -1099,9 +1078,7 @@ def quarter(body: int, drive: Drive) -> float:
 
 
 def ring_play(body: int, drive: Drive, work: Work) -> tuple[float, float]:
-    """Least and largest lag at which no pin of the ring touches a body; the first is larger where
-    pins press without load.
-    """
+    """Least and largest free lag of a body in its ring; least above largest if pins press."""
     free = not pressed_at(0.0, 0.0, body, drive, work)
     high = ring_end(1.0, body, drive, work)
     free = free and not pressed_at(high, 1.0, body, drive, work)
@@ -1122,9 +1099,7 @@ def ring_play(body: int, drive: Drive, work: Work) -> tuple[float, float]:
 
 
 def slack(g: int, drive: Drive, work: Work) -> tuple[float, float]:
-    """Least and largest lag of the output at which no pin touches a disc that lags as it does; the
-    first is larger where pins press. In tangents of half the lags ``a*t^2 + 2*v*t + q = 0``.
-    """
+    """Least and largest free lag of the output on a disc's pins; least above largest if pressed."""
     gi, w, low, high = drive.gi, work.w, -math.inf, math.inf
     exact, radius = gi[g, EXACT] != 0, drive.gf[g, CIRCLE]
     kept, work.q[gi[g, TURN]] = work.q[gi[g, TURN]], 0.0
@@ -1140,6 +1115,7 @@ def slack(g: int, drive: Drive, work: Work) -> tuple[float, float]:
             else:
                 low = max(low, -d / lever)
             continue
+        # Tangents t of half the lags solve ``a*t^2 + 2*v*t + q = 0``.
         q, length = d * (2 * room + d), room + d
         x, y, px, py = w[i, NX] * length, w[i, NY] * length, w[i, AX], w[i, AY]
         v = 2 * (x * py - y * px)
@@ -1159,9 +1135,7 @@ def slack(g: int, drive: Drive, work: Work) -> tuple[float, float]:
 
 
 def unturned(kind: int, body: int, drive: Drive, work: Work) -> tuple[float, float, float]:
-    """Torque about a disc's centre by the pins of the ring, or of the output, that press it; how it
-    grows with what is sought of `rest`, and the size of its terms.
-    """
+    """Torque of pins about a disc's centre, its derivative, and the sum of its terms' sizes."""
     gi, w, torque, slope, gross = drive.gi, work.w, 0.0, 0.0, 0.0
     for g in range(len(gi)):
         if gi[g, OWN] != body or (gi[g, KIND] == PIN) != (kind == PIN):
@@ -1180,7 +1154,7 @@ def unturned(kind: int, body: int, drive: Drive, work: Work) -> tuple[float, flo
 
 
 def rest(kind: int, slot: int, body: int, drive: Drive, work: Work) -> float:
-    """Displacement of a slot at which the pins that press a disc turn it neither way."""
+    """Displacement of a slot at which the pins that press a disc exert no torque on it."""
     lag, low, high, far = 0.0, -math.inf, math.inf, FAR_LAG
     for step in range(1, HALVINGS):
         work.q[slot] = lag
@@ -1203,7 +1177,7 @@ def rest(kind: int, slot: int, body: int, drive: Drive, work: Work) -> float:
 
 
 def drives(g: int, way: float, drive: Drive, work: Work) -> bool:
-    """True where a contact of a group can carry a torque in a direction, where it is."""
+    """True if a contact of a group can carry a torque in the direction 1 or -1."""
     w, exact = work.w, drive.gi[g, EXACT] != 0
     for i in range(drive.gi[g, START], drive.gi[g, STOP]):
         lever = w[i, LEVER]
@@ -1216,9 +1190,7 @@ def drives(g: int, way: float, drive: Drive, work: Work) -> bool:
 
 
 def ring_plays(way: float, drive: Drive, work: Work) -> tuple[bool, bool]:
-    """Play of each disc in its ring, which is left where its pins first touch; whether pins press
-    without load, and whether a torque can be carried.
-    """
+    """Set plays and first touches in the ring; tell if pins press, and if a torque is carried."""
     gi, q, play, last, pressed, carries = drive.gi, work.q, work.play, -1, False, True
     series = gi[0, KIND] == PIN
     for g in range(len(gi)):
@@ -1238,9 +1210,7 @@ def ring_plays(way: float, drive: Drive, work: Work) -> tuple[bool, bool]:
 
 
 def pin_play(g: int, drive: Drive, work: Work) -> tuple[float, float, bool]:
-    """Least and largest lag of the output at which no pin of a disc touches, at either end of the
-    disc's own play; whether pins press without load.
-    """
+    """Least and largest free lag of the output over a disc's own play; True if pins press."""
     gi, q, play, pressed = drive.gi, work.q, work.play, False
     body, low, high = gi[g, OWN], 0.0, 0.0
     if body < 0 or drive.kgg[body, body] > 0:  # held where it is
@@ -1262,14 +1232,14 @@ def pin_play(g: int, drive: Drive, work: Work) -> tuple[float, float, bool]:
 
 
 def first_lag(way: float, low: float, high: float) -> float:
-    """End of a play that a torque closes; between both where pins press without load."""
+    """End of a play that a torque closes; its middle if pins press without load."""
     if low > high + LEAST_PLAY:
         return (low + high) / 2 if abs(low) < 1 and abs(high) < 1 else 0.0
     return high if way > 0 else low
 
 
 def straighten(work: Work) -> None:
-    """Pins without bending, contacts without force."""
+    """Set the bending of pins and all contact forces to 0."""
     for i in range(len(work.w)):
         work.w[i, FORCE] = 0.0
     for m in range(work.b.shape[0]):
@@ -1278,7 +1248,7 @@ def straighten(work: Work) -> None:
 
 
 def pushing(approach: float, drive: Drive, work: Work) -> float:
-    """Force of the first pin at an approach, m: N."""
+    """Force of the first contact at an approach, N."""
     work.w[0, DELTA] = approach
     return law(0, 0, 0.0, drive, work.w)[0]
 
@@ -1286,11 +1256,10 @@ def pushing(approach: float, drive: Drive, work: Work) -> float:
 def adrift(
     way: float, low: float, high: float, drive: Drive, work: Work
 ) -> tuple[float, float, bool]:
-    """Least and largest lag of the output where discs float, under next to no torque, no less apart
-    than of discs in the middle of their bearings; whether parts press without load. The
-    displacements are left at the end that a torque closes.
-    """
+    """Least and largest free lag of the output if discs float; True if parts press unloaded."""
     gi, q, ends, most, wide = drive.gi, work.q, (low, high), 0.0, afloat(drive)
+    # Next to no torque finds both ends, which are no closer than with discs in the middle of their
+    # bearings; displacements are left at the end that the torque closes.
     for side in (-way, way):
         for i in range(len(q)):
             q[i] = 0.0
@@ -1312,16 +1281,13 @@ def adrift(
 
 
 def placed(way: float, whole: bool, drive: Drive, work: Work, row: Row) -> None:
-    """Play of a position, of each disc in its ring and of the output, and whether a torque can be
-    carried; the displacements are left where the first contact of each stage touches. Discs that
-    float are in the middle of their bearings where not the whole of the play is asked.
-    """
+    """Set plays and status of a position, and displacements to the first contact of each stage."""
     gi, q, play = drive.gi, work.q, work.play
     for i in range(len(q)):
         q[i] = 0.0
     pressed, carries = ring_plays(way, drive, work)
     ringed = gi[0, KIND] == LOBE
-    mean = ringed or drive.share[0] < 1  # of discs that turn for themselves
+    mean = ringed or drive.share[0] < 1  # each disc has a lag of its own
     low, high = (0.0, 0.0) if mean else (-math.inf, math.inf)
     if ringed:
         for i in range(len(q)):
@@ -1347,6 +1313,7 @@ def placed(way: float, whole: bool, drive: Drive, work: Work, row: Row) -> None:
     pressed = pressed or low > high + LEAST_PLAY
     if pressed and mean and len(q) > 1:
         low, high = math.inf, -math.inf
+    # Discs that float otherwise stay in the middle of their bearings.
     if whole and carries and afloat(drive) > 0:
         low, high, presses = adrift(way, low, high, drive, work)
         pressed = pressed and presses
@@ -1362,9 +1329,7 @@ def placed(way: float, whole: bool, drive: Drive, work: Work, row: Row) -> None:
 
 
 def middle(g: int, drive: Drive, work: Work) -> float:
-    """Middle of the lags at which a disc, without force, lies between the ends of its play in the
-    ring and the pins.
-    """
+    """Middle of the lags at which a disc without force is free of ring and output pins."""
     body, lag = drive.gi[g, OWN], work.q[drive.gi[g, TURN]]
     low, high = least, most = work.play[body, 0], work.play[body, 1]
     for _ in range(MIDDLES):
@@ -1379,9 +1344,7 @@ def middle(g: int, drive: Drive, work: Work) -> float:
 
 
 def stiffness(drive: Drive, work: Work) -> float:
-    """Torque over the lag of what carries it, by the derivatives of the balance that `solve` left;
-    0 where the position is not stable.
-    """
+    """Torsional stiffness at the equilibrium of `solve`, N*m/rad; 0 if it is not stable."""
     held(drive, work)
     for i in range(len(work.q)):
         work.rg[i] = -drive.share[i]
@@ -1397,7 +1360,7 @@ def stiffness(drive: Drive, work: Work) -> float:
 
 
 def lag_of(drive: Drive, q: Row) -> float:
-    """Lag of what carries the torque: of the output, or the mean of discs by their shares."""
+    """Lag of the output, or mean of the lags of discs by their shares of the torque."""
     found = 0.0
     for i in range(len(q)):
         found += drive.share[i] * q[i]
@@ -1405,7 +1368,7 @@ def lag_of(drive: Drive, q: Row) -> float:
 
 
 def judged(count: int, drive: Drive, work: Work, row: Row) -> int:
-    """Status of a position, as `solve` left it: SOLVED, or why it cannot be."""
+    """Status of a position after `solve`: SOLVED, NOT_STABLE or TOO_WIDE."""
     gi, gf, w = drive.gi, drive.gf, work.w
     if abs(row[LAG]) > 1 or row[STIFFNESS] <= 0 or count < 0:
         return NOT_STABLE
@@ -1413,7 +1376,7 @@ def judged(count: int, drive: Drive, work: Work, row: Row) -> int:
         for i in range(gi[g, START], gi[g, STOP]):
             if w[i, FORCE] > w[i, MOST]:
                 return TOO_WIDE
-    for g in range(len(gi)):  # past half a pitch of its lobes other pins hold a disc
+    for g in range(len(gi)):  # beyond half a pitch of its lobes, other pins hold a disc
         if gi[g, KIND] == LOBE and gi[g, EXACT] != 0:
             lag = gf[g, LATE] + moved(gi[g, OWN], work.q)
             if abs(lag) * (gf[g, LOBES] - 1) >= math.pi:
@@ -1422,9 +1385,7 @@ def judged(count: int, drive: Drive, work: Work, row: Row) -> int:
 
 
 def wrenches(drive: Drive, work: Work) -> None:
-    """Forces of each group on its disc along its crank, to the axis, and across it, against its
-    turning; and their torque about its centre, as `solve` left them.
-    """
+    """Set ``wrench``: forces and torque of each group on its disc after `solve`."""
     gi, gf, w = drive.gi, drive.gf, work.w
     for g in range(len(gi)):
         x = y = torque = 0.0
@@ -1467,17 +1428,16 @@ def turning_lobe(i: int, g: int, drive: Drive, work: Work) -> float:
 
 
 def on_crank(torque: float, drive: Drive, work: Work) -> float:
-    """Torque that turns the crank without friction, after `wrenches`: the torque's part, and of
-    each force times the derivative of its approach by the crank angle; in exact geometry all forces
-    on discs times the arms of these. Where no ring is in the drive what turns each disc is a pure
-    torque, of which a part acts on the crank.
-    """
+    """Torque that turns the crank without friction, N*m, after `wrenches`."""
     gi, gf, w, total = drive.gi, drive.gf, work.w, 0.0
     exact, ratio = gi[0, EXACT] != 0, gf[0, RATIO]
     series = gi[0, KIND] == PIN and gi[len(gi) - 1, KIND] > PIN
+    # In first order the terms are torque/ratio and forces times derivatives of approaches by the
+    # crank angle, in exact geometry forces on discs times the arms of their cranks. Without a ring
+    # a pure torque turns each disc, and a part of it acts on the crank.
     for g in range(len(gi)):
         pins = gi[g, KIND] == PIN
-        if gi[g, KIND] == JOURNAL:  # hands on what these press
+        if gi[g, KIND] == JOURNAL:  # bearings pass on the forces of the other groups
             continue
         _, along, across = disc_at(g, work.q, drive)
         if exact:
@@ -1501,9 +1461,7 @@ def on_crank(torque: float, drive: Drive, work: Work) -> float:
 
 
 def pressing(g: int, i: int, drive: Drive, w: Table) -> float:
-    """Force over reduced radius of a contact, of one that wraps times the square of its pressure
-    over Hertz's.
-    """
+    """Force over reduced radius of a contact; times its `excess` if the contact is conformal."""
     table, found = drive.table, w[i, FORCE] * w[i, BENT]
     if drive.gi[g, KIND] == PIN:
         at = 3 + int(table[2])
@@ -1514,7 +1472,7 @@ def pressing(g: int, i: int, drive: Drive, w: Table) -> float:
 
 
 def measure(torque: float, drive: Drive, work: Work, row: Row) -> None:
-    """Read-outs of a position, as `solve` left it."""
+    """Set the read-outs of a position after `solve`."""
     gi, w = drive.gi, work.w
     for k in range(PIN_FORCE, LOST):
         row[k] = 0.0
@@ -1536,7 +1494,7 @@ def measure(torque: float, drive: Drive, work: Work, row: Row) -> None:
                 row[RUB_PRESSED] = max(row[RUB_PRESSED], w[i, SLIDE] * math.sqrt(pressed))
         if kind == LOBE:
             along = work.wrench[g, 0]
-            for other in range(g + 1, len(gi)):  # its second feet
+            for other in range(g + 1, len(gi)):  # second feet of this group
                 if gi[other, KIND] == FLANK and gi[other, OF] == g:
                     along += work.wrench[other, 0]
             row[ALONG_MOST] = max(row[ALONG_MOST], along)
@@ -1544,7 +1502,7 @@ def measure(torque: float, drive: Drive, work: Work, row: Row) -> None:
 
 
 def without_force(body: int, top: float, drive: Drive, work: Work) -> bool:
-    """True where nothing presses a disc; forces that rounding left of its balance are set to 0."""
+    """True if nothing presses a disc; its forces, which are rounding, become 0."""
     gi, w = drive.gi, work.w
     for g in range(len(gi)):
         for i in range(gi[g, START], gi[g, STOP]):
@@ -1579,7 +1537,7 @@ def take(given: Row, into: Row) -> None:
 
 
 def take_side(sides: Table, side: int, q: Row, kept: bool) -> None:
-    """Displacements under a torque in one of two directions: keep them, or take them up again."""
+    """Keep or restore the displacements under a torque in one of two directions."""
     for i in range(len(q)):
         if kept:
             sides[side, i] = q[i]
@@ -1588,14 +1546,14 @@ def take_side(sides: Table, side: int, q: Row, kept: bool) -> None:
 
 
 def take_bends(given: Table, into: Table) -> None:
-    """Copy how pins are bent."""
+    """Copy the bending of pins."""
     for m in range(given.shape[0]):
         for i in range(given.shape[1]):
             into[m, i] = given[m, i]
 
 
 def bend_on(part: float, work: Work) -> None:
-    """Bend pins on by so many times what the position before has bent them."""
+    """Extrapolate the bending of pins by a multiple of its last change."""
     for m in range(work.b.shape[0]):
         for i in range(work.b.shape[1]):
             work.b[m, i] += part * (work.last[m, i] - work.older[m, i])
@@ -1604,9 +1562,7 @@ def bend_on(part: float, work: Work) -> None:
 def position(
     phi: float, torque: float, warm: bool, play: bool, drive: Drive, work: Work, row: Row
 ) -> int:
-    """Equilibrium at a crank angle and its read-outs, from the displacements in the room where it
-    is warm; a status. Its play where that is asked.
-    """
+    """Solve a crank angle, from ``work`` if warm, and its play if asked; return the status."""
     place(phi, drive, work)
     way, q, kept = math.copysign(1.0, torque), work.q, work.kept
     row[STATUS] = SOLVED
@@ -1637,7 +1593,7 @@ def position(
 def record(
     m: int, drive: Drive, work: Work, lags: Table, forces: Table, wrench: Block, plays: Block
 ) -> None:
-    """Keep what a position has of bodies, contacts, groups, and discs in their ring."""
+    """Store lags, forces, wrenches and plays of a position in the row m."""
     for i in range(len(work.q)):
         lags[m, i] = work.q[i]
         plays[m, i, 0], plays[m, i, 1] = work.play[i, 0], work.play[i, 1]
@@ -1660,7 +1616,7 @@ def positions(
     wrench: Block,
     plays: Block,
 ) -> int:
-    """Equilibrium at crank angles, each from the two before it; the first that cannot be, or -1."""
+    """Solve crank angles, each from the two before; return the first index not solved, or -1."""
     for m in range(len(places)):
         if m > 1:
             ahead, wide = places[m] - places[m - 1], places[m - 1] - places[m - 2]
@@ -1680,7 +1636,7 @@ def positions(
 def unloaded(
     places: Row, way: float, least: bool, drive: Drive, work: Work, rows: Table, plays: Block
 ) -> None:
-    """Play at crank angles; and, of a ring alone, the smallest possible worst approach there."""
+    """Set the play at crank angles, and with ``least`` INTERFERENCE of a ring alone."""
     straighten(work)
     for m in range(len(places)):
         place(places[m], drive, work)
@@ -1695,7 +1651,7 @@ def unloaded(
 
 
 def gaps(phi: float, lags: Row, drive: Drive, work: Work, found: Row) -> None:
-    """Approaches of all lobes at a crank angle and lags of their discs."""
+    """Set the approaches of all ring pins, m, at a crank angle and lags of their discs."""
     gi, w = drive.gi, work.w
     take(lags, work.q)
     place(phi, drive, work)
@@ -1720,11 +1676,8 @@ def narrow(
     work: Work,
     row: Row,
 ) -> tuple[float, float, float, int]:
-    """Place and height of the largest value between two places, or of the least for the sign -1:
-    where the lines through the last places on either side meet, as most summits are where a pair
-    takes up or leaves, or by golden section where that does not close in; its error, by how far the
-    values fall to both ends of what is left; and at how many places it looked: 0 where the place is
-    one that cannot be.
+    """Place and height of a read-out's largest value between two places (least for ``sign`` -1), an
+    error of the height, and the number of places tried: 0 if the place returned has no equilibrium.
     """
     play, looks, error = kind in (LOW, HIGH, PLAY), 0, math.inf
     before, further = low - (high - low), high + (high - low)
@@ -1754,6 +1707,8 @@ def narrow(
         elif worse > best:
             further, at_further, high, at_high = high, at_high, worse, at_worse
         error = top - min(at_low, at_high)
+        # Most summits are where a pair takes up or leaves: where the lines through the last places
+        # on either side meet. Golden section serves where these do not close in.
         closes, wider, width = high - low <= wider / 2, width, high - low
         there = best + (1 - GOLDEN) * ((high if high - best > best - low else low) - best)
         highest = -math.inf
@@ -1775,7 +1730,7 @@ def narrow(
 
 
 def free_there(drive: Drive, work: Work) -> bool:
-    """True where nothing touches at the displacements at hand, at the angle of `place`."""
+    """True if nothing touches at the displacements q and b, at the angle of `place`."""
     gi, w = drive.gi, work.w
     for g in range(len(gi)):
         for i in range(gi[g, START], gi[g, STOP]):
@@ -1786,13 +1741,13 @@ def free_there(drive: Drive, work: Work) -> bool:
 
 
 def between(drive: Drive, work: Work, row: Row) -> None:
-    """Put output and discs between the ends of their plays, as `placed` left them."""
+    """Put output and discs into the middle of their plays after `placed`."""
     gi, q = drive.gi, work.q
     q[0] = (row[LOW] + row[HIGH]) / 2
     for g in range(len(gi)):
         if gi[g, KIND] != PIN:
             continue
-        if drive.share[gi[g, TURN]] < 1:  # each turns for itself
+        if drive.share[gi[g, TURN]] < 1:  # each disc has a lag of its own
             low, high = slack(g, drive, work)
             q[gi[g, TURN]] = (low + high) / 2
         elif gi[g, OWN] >= 0 and drive.kgg[gi[g, OWN], gi[g, OWN]] == 0:
@@ -1800,15 +1755,13 @@ def between(drive: Drive, work: Work, row: Row) -> None:
 
 
 def goes_together(places: Row, drive: Drive, work: Work, row: Row) -> int:
-    """FITS where a piece goes together without load at all places, BINDS at some, NOWHERE at none.
-    A lag that was free at one place mostly is at the next one.
-    """
+    """FITS, BINDS or NOWHERE, by the places at which a piece goes together without load."""
     free = blocked = False
     for i in range(len(work.q)):
         work.q[i] = 0.0
     for m in range(len(places)):
         place(places[m], drive, work)
-        if free_there(drive, work):
+        if free_there(drive, work):  # a lag that is free at one place mostly is at the next one
             free = True
             continue
         placed(1.0, False, drive, work, row)
@@ -1824,40 +1777,40 @@ def goes_together(places: Row, drive: Drive, work: Work, row: Row) -> int:
     return FITS if free else NOWHERE
 
 
-# Pieces of a study whose discs are rigid, held by their cranks, in exact geometry, with one lag of
-# the output: a scalar loop for the case that nearly all studies are of. With P a pin's centre, eps
-# what it lies off its hole's, w the crank's direction times ``-2*e`` and the room C between both
-# centres in contact, ``|d|^2 - C^2 = q + (cos(lag) - 1)*u + sin(lag)*v``; q, u, v are linear in w.
+# Most studies have rigid discs held by their cranks, exact geometry and one lag of the output: a
+# scalar loop solves them. P is the centre of a pin, eps its offset from that of its hole, w the
+# direction of the crank times ``-2*e``, C the distance of both centres in contact. Then
+# ``|d|^2 - C^2 = q + (cos(lag) - 1)*u + sin(lag)*v``, in which q, u and v are linear in w.
 
 RX, RY, OX, OY, K0, K1, K2, ROOM, SIZE, Q, U, V, PUSH, ARM, HARD = range(15)
-"""Floats of a pair: pin, what it lies off, constants of q, u and v, the room between the centres,
-the size of the terms of q; q, u, v of a position; force, lever, stiffness of the contact."""
+"""Floats of a pair: P, eps, constants of q, u and v, the distance C, size of the terms of q; q, u
+and v of a position; force, lever and stiffness of the contact."""
 
 PEAK, PRESSURE, TRANSMISSION, BACKLASH, MOTION, SOFTEST = range(6)
-"""Quantities of a piece; the pressure as by `pressing`."""
+"""Quantities of a piece over the turn; PRESSURE is the largest result of `pressing`."""
 
 FIT_POSITIONS = 720
-"""Positions of the turn at which is looked whether a piece goes together. Its least room is a
-smooth minimum, which they miss by no more than 1e-5 of the eccentricity."""
+"""Number of positions at which `fitting` looks. The least room over the turn is a smooth minimum
+that these positions miss by at most 1e-5 of the eccentricity."""
 
 NEARLY = 1e-8
-"""Last step of Newton, over the lag, that is taken along the tangents: its square is left."""
+"""Last step of Newton over the lag; a step along the tangents leaves an error of its square."""
 
 JUST = 1e-9
-"""Part of the eccentricity by which parts that just fit may press: their sizes are rounded."""
+"""Approach over the eccentricity of parts that just fit, whose sizes are rounded."""
 
 SURE = 1e-9
-"""Part that bounds of the play are wider than their terms, for rounding: a thousand times that."""
+"""Part of their terms by which bounds of the play are wider: a thousand times the rounding."""
 
 NEAR = 1e-3
-"""Lever over its largest, below which a pair is near its dead angle and bounds no play."""
+"""Lever over the longest one below which a pair, near its dead angle, bounds no play."""
 
 ALONE = 20
-"""Steps of Newton after which the stretch is halved too."""
+"""Number of steps of Newton after which every other step bisects the bracket."""
 
 
 def lay(gf: Table, cf: Table, w: Table) -> None:
-    """Constants of the pairs of a piece; a crank that is ahead turns its disc."""
+    """Set constants of all pairs of a piece; a phase error of a crank also turns its disc."""
     discs = len(gf)
     pins = len(w) // discs
     for j in range(discs):
@@ -1882,7 +1835,7 @@ def lay(gf: Table, cf: Table, w: Table) -> None:
 
 
 def turn_to(psi: float, way: float, gf: Table, w: Table) -> None:
-    """The pairs at a wave angle; in reverse v changes its sign, and so does the lag."""
+    """Set q, u and v of all pairs at a wave angle; the way -1 reverses v and the lag."""
     pins = len(w) // len(gf)
     for j in range(len(gf)):
         angle = psi + gf[j, PHASE]
@@ -1895,11 +1848,9 @@ def turn_to(psi: float, way: float, gf: Table, w: Table) -> None:
 
 
 def window(w: Table) -> tuple[float, float, int]:
-    """Least and largest lag at which no pair touches, and the pair that touches at the largest. The
-    first is larger where pairs press. In tangents of half the lags ``a*t^2 + 2*v*t + q = 0``.
-    """
+    """Least and largest free lag (least above largest if pairs press), and the pair at its end."""
     low, high, onset = -math.inf, math.inf, -1
-    for i in range(len(w)):
+    for i in range(len(w)):  # tangents t of half the lags solve ``a*t^2 + 2*v*t + q = 0``
         q, v = w[i, Q], w[i, V]
         a = max(q - 2 * w[i, U], TINY)
         square = v * v - a * q
@@ -1917,9 +1868,7 @@ def window(w: Table) -> tuple[float, float, int]:
 
 
 def count_from(lag: float, onset: int, w: Table) -> None:
-    """Count the lag from here on, where the pair `onset` (-1: none) just touches and the others do
-    not: small loads keep their digits.
-    """
+    """Count lags from one where only the pair ``onset`` (-1: none) touches: loads keep digits."""
     sine, half = math.sin(lag), math.sin(lag / 2)
     less = -2 * half * half
     for i in range(len(w)):
@@ -1947,7 +1896,7 @@ def law_alone(
 def torque_at(
     lag: float, kind: int, exponent: float, cf: Table, table: Row, w: Table
 ) -> tuple[float, float, float]:
-    """Torque of all pairs at a lag, its derivative, and the sum of its terms' sizes."""
+    """Torque of all pairs at a lag, its derivative, and the sum of the sizes of its terms."""
     sine, half = math.sin(lag), math.sin(lag / 2)
     less = -2 * half * half
     torque = slope = gross = 0.0
@@ -1970,7 +1919,7 @@ def torque_at(
 
 
 def next_place(x: float, change: float, low: float, high: float, step: int) -> float:
-    """The next place of Newton inside a bracket, at one of its ends where nothing is left of it."""
+    """Next step of Newton within a bracket, which is bisected where Newton leaves it."""
     following = x + change
     if low < following < high and not (step > ALONE and step % 2):
         return following
@@ -1984,9 +1933,7 @@ def next_place(x: float, change: float, low: float, high: float, step: int) -> f
 def first_guess(
     torque: float, kind: int, exponent: float, gf: Table, cf: Table, table: Row, w: Table
 ) -> float:
-    """Lag at which the best placed pair alone would carry the torque about; infinite where none
-    can.
-    """
+    """Lag at which the best placed pair alone carries the torque; infinite if none can."""
     lag = math.inf
     for i in range(len(w)):
         lever = w[i, V] / (2 * w[i, ROOM])
@@ -2017,10 +1964,7 @@ def carry(
     w: Table,
     found: Row,
 ) -> bool:
-    """Equilibrium of a position under a torque > 0; False where there is none. Its lag, stiffness
-    and play are in the row `found`. Newton on ``torque^(1/exponent)``, which is nearly straight;
-    the last step is taken along the tangents.
-    """
+    """Solve lag, stiffness and play under a torque > 0, in ``found``; False if there are none."""
     turn_to(psi, way, gf, w)
     low, high, onset = window(w)
     pressed, exponent = low > high + LEAST_PLAY, gf[0, EXPONENT]
@@ -2035,6 +1979,7 @@ def carry(
         w[i, PUSH] = 0.0
     lag = 0.0 if pressed else lag
     below, above = -math.inf if pressed else 0.0, math.inf
+    # ``torque^(1/exponent)`` is nearly straight; the last step of Newton goes along the tangents.
     power, far = 1.0 if pressed else 1 / exponent, gf[0, BASE_E] / gf[0, CIRCLE]
     close = NEARLY if exponent >= 1 else EPS
     slope = change = 0.0
@@ -2051,7 +1996,7 @@ def carry(
             change = torque * (ratio ** (1 - power) - ratio) / (power * slope)
         if abs(carried - torque) <= EPS * gross or abs(change) <= close * abs(lag):
             break
-        if pressed:  # at its dead angle a pair hardly holds
+        if pressed:  # near its dead angle a pair hardly resists
             change = min(max(change, -far), far)
         following = next_place(lag, change, below, above, step)
         if following in (below, above):
@@ -2070,9 +2015,7 @@ def carry(
 
 
 def hardest(gf: Table, cf: Table, table: Row, w: Table) -> tuple[float, float]:
-    """Largest force, and largest force over reduced radius, of contacts that wrap times the square
-    of their pressure over Hertz's.
-    """
+    """Largest force of the pairs, N, and largest force over reduced radius as of `pressing`."""
     most = pressure = 0.0
     at = 3 + int(table[2])
     for i in range(len(w)):
@@ -2085,12 +2028,11 @@ def hardest(gf: Table, cf: Table, table: Row, w: Table) -> tuple[float, float]:
 
 
 def clear(lag: float, gf: Table, w: Table) -> float:
-    """How far the wave may turn on from where `turn_to` was called before any pair can touch at a
-    lag, rad: there a pair is ``k + m*cos(psi - psi_0)``, which changes by no more than m for each
-    radian, and with ``k + m < 0`` touches nowhere.
-    """
+    """Wave angle, rad, from that of `turn_to` on, by which no pair can touch at a lag."""
     sine, half = math.sin(lag), math.sin(lag / 2)
     less, far, pins = -2 * half * half, 2 * math.pi, len(w) // len(gf)
+    # An approach is ``k + m*cos(psi - psi_0)``: it grows by at most m for each radian, and never
+    # touches if ``k + m < 0``.
     for j in range(len(gf)):
         arm = 2 * gf[j, ECC]
         for i in range(j * pins, (j + 1) * pins):
@@ -2110,9 +2052,7 @@ def clear(lag: float, gf: Table, w: Table) -> float:
 
 
 def fitting(gf: Table, w: Table) -> int:
-    """FITS where a piece goes together without load at all positions, BINDS at some, NOWHERE at
-    none. Positions up to which no pair can touch at the middle of the play are not looked at.
-    """
+    """FITS, BINDS or NOWHERE, by the positions at which a piece goes together without load."""
     free = blocked = False
     step, k = 2 * math.pi / FIT_POSITIONS, 0
     while k < FIT_POSITIONS and not (free and blocked):
@@ -2120,7 +2060,7 @@ def fitting(gf: Table, w: Table) -> int:
         low, high, _ = window(w)
         if low <= high + JUST * gf[0, BASE_E] / gf[0, CIRCLE]:
             free = True
-            if high - low < math.inf:
+            if high - low < math.inf:  # no pair can touch up to there at the middle of the play
                 k += int(clear((low + high) / 2, gf, w) / step)
         else:
             blocked = True
@@ -2131,11 +2071,9 @@ def fitting(gf: Table, w: Table) -> int:
 
 
 def widest(places: Row, gf: Table, w: Table, front: Row, back: Row) -> float:
-    """Largest play at positions of the wave, 0 where all press. Only where it can be the largest it
-    is looked at, first where it may be widest.
-    """
+    """Largest play over wave angles, rad; 0 if all press."""
     at_most(places, gf, w, front, back)
-    most, first = 0.0, 0
+    most, first = 0.0, 0  # only positions whose bound exceeds the largest play are solved
     for k in range(len(places)):
         if front[k] > front[first]:
             first = k
@@ -2149,16 +2087,15 @@ def widest(places: Row, gf: Table, w: Table, front: Row, back: Row) -> float:
 
 
 def at_most(places: Row, gf: Table, w: Table, front: Row, back: Row) -> None:
-    """Bounds of the play, where there is any, at positions of the wave: in the row `front`.
-
-    A pair does not touch where ``a*t^2 + 2*v*t + q <= 0``, t the tangent of half the lag; lags are
-    no further apart than twice their t. With a lever v above 0 that ends at ``t = -q/(v + s)``,
-    ``s = sqrt(v^2 - a*q)``: no later than with s = v, as a parabola is above its tangent. While the
-    pair is open all around ``-a*q`` is no less than m, of the least a and the least -q, and s no
-    less than the tangent of ``sqrt(v^2 + m)`` at the longest lever: ``v + s >= 2*(c + d*v)``. With
-    a lever below 0 it begins there. The play, from the last begin to the first end, is no wider
-    than between any two of these. Rounding of the terms is 1e-12 of them: `SURE` is added.
-    """
+    """Set upper bounds of the play, rad, where there is any, at wave angles: in ``front``."""
+    # With t the tangent of half the lag, a pair is free where ``a*t^2 + 2*v*t + q <= 0``; a
+    # difference of lags is at most twice that of their t. For a lever v > 0 the free range ends at
+    # ``t = -q/(v + s)``, ``s = sqrt(v^2 - a*q)``, no later than with s = v, as a parabola lies
+    # above its tangent. While the pair is open all around, ``-a*q`` is at least m, the product of
+    # the least a and the least -q, and s at least the tangent of ``sqrt(v^2 + m)`` at the longest
+    # lever: ``v + s >= 2*(c + d*v)``. For v < 0 the range begins there. The play, from the last
+    # begin to the first end, is no wider than between any begin and any end. `SURE` covers
+    # rounding, which is 1e-12 of the terms.
     pins = len(w) // len(gf)
     for k in range(len(places)):
         front[k] = back[k] = math.inf
@@ -2201,7 +2138,7 @@ def piece(
     found: Row,
     row: Row,
 ) -> int:
-    """Quantities of a piece at wave angles; whether it fits, less 3 where it cannot work."""
+    """Set the quantities of a piece; return FITS, BINDS or NOWHERE, less 3 if it cannot work."""
     lay(gf, cf, w)
     fits = fitting(gf, w)
     if fits != FITS:
@@ -2248,9 +2185,7 @@ def pieces(
     fits: Row,
     rows: Table,
 ) -> None:
-    """Quantities of many pieces; what a study asks is in `rows`, not a number where a piece does
-    not fit or cannot work. The room has three rows as long as the places.
-    """
+    """Set the quantities of many pieces in ``rows``, NaN if one cannot work; room: three rows."""
     for s in range(len(gf)):
         given = piece(
             places,
