@@ -54,8 +54,7 @@ OF_REQUESTS = {
     "needed_beside": "is needed beside {field}",
     "needed_for": "is needed for {section}",
     "needed_to_draw": "is needed: what is not known is not drawn",
-    "no_methods": "has one method only, in closed form within {relative_error:.0e}: "
-    "there is nothing to compare",
+    "no_methods": "has one method only, within {relative_error:.0e}: there is nothing to compare",
     "no_such_bearing": "is none of the bearings by name, such as {near}; sizes and load ratings "
     "may be given instead of it",
     "no_such_part": "is none of the parts that are drawn: {parts}",

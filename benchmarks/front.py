@@ -19,11 +19,7 @@ from core.precession.rollers import RollerByLength
 from core.precession.shaft import ShaftSection
 from core.precision import ROUNDING
 from core.work_precision.peaks import peak_force_study
-from core.work_precision.precession import (
-    Gear,
-    contact_line_study,
-    shaft_deflection_study,
-)
+from core.work_precision.precession import Given, contact_line_study, shaft_deflection_study
 from core.work_precision.study import WorkPoint, WorkPrecision
 
 DESIGNS = 24
@@ -43,8 +39,8 @@ def _peak_force(r: random.Random) -> WorkPrecision:
     return peak_force_study(mechanism=_mechanism(r), force_exponent=r.choice([1.0, 10 / 9, 1.5]))
 
 
-def _gear(r: random.Random) -> tuple[Gear, list[RollerByLength]]:
-    gear = Gear(
+def _gear(r: random.Random) -> tuple[Given, list[RollerByLength]]:
+    gear = Given(
         roller_circle_radius=r.uniform(0.03, 0.1),
         roller_radius=r.uniform(0.002, 0.006),
         nutation_angle=math.radians(r.uniform(2, 10)),
@@ -65,14 +61,15 @@ def _contact_line(r: random.Random) -> WorkPrecision:
 def _shaft_deflection(r: random.Random) -> WorkPrecision:
     sections = [ShaftSection(0.02, r.uniform(0.01, 0.03)) for _ in range(r.randint(1, 4))]
     length = sum(section.length for section in sections)
-    return shaft_deflection_study(
-        force=(168.0, -337.0, 0.0),
-        moment=(-0.03, -0.07, 10.0),
-        bearing_distance=length / 2,
-        overhang=length / 2,
-        youngs_modulus=210e9,
-        shaft_sections=sections,
-    )
+    shaft = {
+        "force": (168.0, -337.0, 0.0),
+        "moment": (-0.03, -0.07, 10.0),
+        "bearing_distance": length / 2,
+        "overhang": length / 2,
+        "youngs_modulus": 210e9,
+        "shaft_sections": sections,
+    }
+    return shaft_deflection_study(shaft=shaft)
 
 
 STUDIES: dict[str, Callable[[random.Random], WorkPrecision]] = {
@@ -111,7 +108,7 @@ def main(designs: int = DESIGNS) -> int:
             chosen.append(result.chosen)
             for point in result.points:
                 if point != result.chosen:
-                    found[f"{point.method}, {point.setting}"].append(point)
+                    found[f"{point.method}, {point.value:g}"].append(point)
         error, cost = _measured(chosen)
         others = {key: _measured(points) for key, points in found.items() if len(points) == designs}
         better = [key for key, (e, t) in others.items() if e < error / 2 and t < cost / 2]

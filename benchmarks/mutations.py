@@ -40,7 +40,7 @@ ASKS_OTHERS = "tests/app/"
 """Tests for mutations that no test reaches in its own process: other processes may reach them."""
 
 COMPILED = "engine.py"
-ITS_DOOR = "core/drive/model.py", "[each for each in (pins, lobes) if each]"
+ITS_DOOR = "core/drive/model.py", "[each for each in (pins, journals, lobes) if each]"
 """Line at which tests of the compiled file are noted, since compiled code notes nothing."""
 
 OTHER: dict[type, type] = {

@@ -17,10 +17,9 @@ from app.calculations.tolerance_study import ToleranceStudyRequest
 from app.model import Calculation, RequestModel, ResponseModel, Values, result, untold
 from app.rules import field_error
 from app.settings import Settings
-from app.theme import DASHES, Amount, Figure, Theme, axis, curve, layout, marker, text
+from app.theme import Amount, Figure, Theme, axis, curve, layout, marker, text
 from core.errors import METHODS, InvalidInput
 from core.precision import CLASSES
-from core.ring.sharing import MeshTurn
 from core.work_precision.peaks import peak_force_study, real_peak_study
 from core.work_precision.precession import contact_line_study, shaft_deflection_study
 from core.work_precision.study import SETTINGS, Reference, WorkPoint, WorkPrecision
@@ -42,8 +41,7 @@ ONE_METHOD = {
     "roller_sharing": "closed_form_gaps",
     "satellite-bearing": "sampling",
 }
-"""Only method of calculations that are not compared, by ideal forces, under all its former
-names."""
+"""Method of each calculation that has one, of ideal forces, by every name that it has had."""
 
 compared = partial(Field, description="Whose methods are compared.")
 
@@ -104,7 +102,8 @@ class ShaftDeflectionStudy(Study):
     def solve(self) -> WorkPrecision:
         """The study."""
         load = self.input.solve_load()
-        return shaft_deflection_study(force=load.force, moment=load.moment, **self.input.shaft)
+        loaded = {"force": load.force, "moment": load.moment}
+        return shaft_deflection_study(shaft=loaded | self.input.shaft)
 
 
 class LoadSharingStudy(Study):
@@ -133,8 +132,7 @@ class RingMeshStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """The study."""
-        mesh, torque = self.input.mesh, self.input.torque
-        return real_peak_study(real=mesh, output_torque=torque, over=MeshTurn, pins="ring_teeth")
+        return real_peak_study(real=self.input.mesh, output_torque=self.input.torque)
 
 
 class ToleranceSamplingStudy(Study):
@@ -199,14 +197,13 @@ class WorkPointOut(ResponseModel):
     @classmethod
     def values(cls, result: WorkPoint, run_time_us: float | None = None, **given: Any) -> Values:
         """Values of the core's point."""
-        code, value = result.setting
         return super().values(
             result,
             method=METHODS[result.method],
             method_code=result.method,
-            setting=SETTINGS[code].format(value=value),
-            setting_code=code,
-            setting_value=value,
+            setting=SETTINGS[result.setting].format(value=result.value),
+            setting_code=result.setting,
+            setting_value=result.value,
         )
 
 
@@ -221,15 +218,13 @@ class WorkPrecisionResponse(ResponseModel):
 EXACT = 1e-17
 """Place of an error of 0 in the figure, below the rounding of any double."""
 
-SYMBOLS = ("circle", "square", "triangle-up")
-"""Marks of methods whose colours and dashes repeat."""
-
 
 def work_precision_figure(answer: Values, theme: Theme) -> Figure:
-    """Every method's errors over its run times, the default marked."""
+    """Every method's errors over its run times, with a mark at the calculators' method."""
     methods: dict[str, list[Values]] = {}
     for point in answer["points"]:
         methods.setdefault(point["method_code"], []).append(point)
+    amounts = {"error": Amount("%{y:.2g}"), "time": Amount("%{x:.3g}", "µs")}
     data = []
     for index, (code, points) in enumerate(methods.items()):
         method = text(f"methods.{code}")
@@ -239,38 +234,18 @@ def work_precision_figure(answer: Values, theme: Theme) -> Figure:
             [max(point["relative_error"], EXACT) for point in points],
             index,
             theme,
-            text(
-                "error_in_time",
-                method=method,
-                setting="%{customdata}",
-                error=Amount("%{y:.2g}"),
-                time=Amount("%{x:.3g}", "µs"),
-            ),
-        )
-        line |= {
-            "mode": "lines+markers",
-            "marker": {"symbol": SYMBOLS[index // len(DASHES) % len(SYMBOLS)], "size": 7},
-            "customdata": [
+            text("error_in_time", method=method, setting="%{customdata}", **amounts),
+            marker={"size": 7},
+            customdata=[
                 text(f"settings.{point['setting_code']}", value=point["setting_value"])
                 for point in points
             ],
-        }
-        data.append(line)
-    chosen = answer["chosen"]
-    data.append(
-        marker(
-            text("used"),
-            chosen["run_time_us"],
-            max(chosen["relative_error"], EXACT),
-            theme,
-            text(
-                "error_in_time_chosen",
-                method=text(f"methods.{chosen['method_code']}"),
-                error=Amount("%{y:.2g}"),
-                time=Amount("%{x:.3g}", "µs"),
-            ),
         )
-    )
+        data.append(line | {"mode": "lines+markers"})
+    chosen = answer["chosen"]
+    used = text("error_in_time_chosen", method=text(f"methods.{chosen['method_code']}"), **amounts)
+    error = max(chosen["relative_error"], EXACT)
+    data.append(marker(text("used"), chosen["run_time_us"], error, theme, used))
     return {
         "data": data,
         "layout": layout(

@@ -1,9 +1,8 @@
 """Error against run time of the methods for one's own input.
 
-Each study runs the methods that an engineer might use at several settings, measures the run time
-of each (median of repeated runs) and its error against a reference of 40 digits (12 of the real
-peak force), and marks the method that the calculators use. What cannot be had on the input is left
-out. Closed forms have one method, and no study.
+A study compares the calculators' method with one or two others that an engineer might use: run time
+(median of repeated runs) and error against a reference of 40 digits (12 of the real peak force).
+Closed forms have one method, and no study.
 
 Modules, in reading order
 -------------------------

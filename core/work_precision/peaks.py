@@ -1,23 +1,21 @@
-"""Largest force over the turn: sampling, polished sampling, and the calculators' own searches."""
+"""Largest force over the turn: sampling, its rivals, and the calculators' own searches."""
 
-import math
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
-from core.arrays import FloatArray
 from core.errors import InvalidInput
+from core.numerics.extremes import other_places
 from core.output.contact_force import approximate_peak_ratio, force_ratios, peak_force
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn
 from core.output.stage import Stage
-from core.output.summits import Grid, all_summits, summits
+from core.output.summits import Grid, summits
 from core.output.turn import Turn
 from core.ring.series import MeshesInSeries
 from core.ring.series_turn import SeriesOverTurn, SeriesTurn
+from core.ring.sharing import CycloidMesh, MeshTurn
 from core.work_precision.study import (
-    DEFAULT,
     REFERENCE_DIGITS,
     Method,
     Outcome,
@@ -26,113 +24,60 @@ from core.work_precision.study import (
     work_precision,
 )
 
-MAX_PAIRS, MAX_REAL_PAIRS, MAX_COMPLIANT_PAIRS, MAX_SERIES_PAIRS = 300, 36, 9, 60
-"""Most pairs of ideal forces; with clearance, where some twenty thousand positions are solved; with
-compliant satellites, which take four times as long; of both meshes in series together."""
+MAX_PAIRS = 120
+"""Most pairs, of both meshes in series together: seconds where all discs and pins deviate."""
 
-SAMPLES, POLISHED = (16, 64, 256, 1024, 4096, 16384, 65536), (16, 64, 256)
-MAX_SAMPLED = 2_000_000
-"""Numbers of crank angles, and most ideal forces that are sampled at once."""
+SAMPLES, POSITIONS = (16, 64, 256, 1024, 4096), (24, 60, 120, 360, 720, 1440)
+"""Numbers of crank angles of ideal forces, and of positions with clearance."""
 
-POSITIONS, ZOOMED = (24, 60, 120, 360, 720, 1440, 2880), (24, 60, 120, 360, 720)
 DENSE, REAL_DIGITS = 4, 12
-"""Positions with clearance; how many times as many as the calculator's the reference has, and to
-how many digits that is right."""
+"""How many times the calculator's positions the reference with clearance has, and its digits."""
 
-GOLDEN_STEPS, EXACT_STEPS = 40, 85
-"""Steps after which a summit is as good as doubles can tell; as multiple precision can: a value is
-stationary at its summit, so half the digits of the place give all of it."""
+EXACT_STEPS = 130
+"""Steps after which a summit is as good as multiple precision can tell, be it smooth or a kink."""
 
 
-def _refuse_many(mechanism: Mechanism, limit: int, pins: str = "pins") -> None:
-    """Refuse more pairs than its reference can; their number is called `pins`, that of a ring has
-    another name.
-    """
+def _refuse_many(mechanism: Mechanism, pins: str = "pins", besides: int = 0) -> None:
+    """Refuse more pairs than `MAX_PAIRS` with others besides, by the name of the number of pins."""
     satellites = mechanism.satellites
-    if mechanism.pins * satellites > limit:
-        most = {"limit": limit // satellites, "satellites": satellites}
+    if mechanism.pins * satellites + besides > MAX_PAIRS:
+        most = {"limit": (MAX_PAIRS - besides) // satellites, "satellites": satellites}
         raise InvalidInput(pins, mechanism.pins, "too_many_pairs", **most)
-
-
-def _golden_section(value: Callable[[Any], Any], low: Any, high: Any, steps: int) -> Any:
-    """Largest value about one summit between two places, floats or mpmath numbers."""
-    ratio = ((5 + 0 * low) ** 0.5 - 1) / 2  # to as many digits as the place has
-    left, right = high - ratio * (high - low), low + ratio * (high - low)
-    at_left, at_right = value(left), value(right)
-    for _ in range(steps):
-        if at_left > at_right:
-            high, right, at_right = right, left, at_left
-            left = high - ratio * (high - low)
-            at_left = value(left)
-        else:
-            low, left, at_left = left, right, at_right
-            right = low + ratio * (high - low)
-            at_right = value(right)
-    return max(at_left, at_right)
 
 
 def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> WorkPrecision:
     """Error against run time of the peak of the contact force.
 
+    Raises InvalidInput for too many pairs, ImpossibleMechanism at a dead centre.
+
     Parameters
     ----------
-    mechanism : Mechanism
-        Pins, satellites, ratio; at most `MAX_PAIRS` pairs.
-    force_exponent : float
-        Exponent v of the force over the approach.
-
-    Returns
-    -------
-    WorkPrecision
-
-    Raises
-    ------
-    InvalidInput
-        If there are too many pairs.
-    ImpossibleMechanism
-        If the mechanism has a dead centre.
+    mechanism : Mechanism, at most `MAX_PAIRS` pairs
+    force_exponent : float, exponent v of the force over the approach
     """
-    _refuse_many(mechanism, MAX_PAIRS)
+    _refuse_many(mechanism)
     pins, satellites = mechanism.pins, mechanism.satellites
     law: dict[str, Any] = {"mechanism": mechanism, "force_exponent": force_exponent}
-    period, angle = mechanism.crank_angle_per_wave, peak_force(**law).peak_crank_angle
-
-    def largest(angles: FloatArray) -> FloatArray:
-        return np.asarray(force_ratios(crank_angles=angles, **law).max(axis=(1, 2)))
-
-    def samples(count: int) -> FloatArray:
-        return largest(np.linspace(0.0, period, count, endpoint=False))
-
-    def polished(count: int) -> Outcome:
-        values, step = samples(count), period / count
-        top = int(values.argmax())
-        ends = (top - 1) * step, (top + 1) * step
-        found = _golden_section(lambda one: largest(np.array([one]))[0], *ends, GOLDEN_STEPS)
-        return float(max(values[top], found)), count + GOLDEN_STEPS
-
-    def segment_exact(_: float) -> Outcome:
-        peak = peak_force(**law)
-        return peak.peak_force_ratio, peak.accuracy.evaluations
-
-    def paper(_: float) -> Outcome:
-        return approximate_peak_ratio(pins=pins, satellites=satellites), 1
-
-    def equal_sharing(_: float) -> Outcome:
-        return peak_force(mechanism=mechanism, force_exponent=0.0).peak_force_ratio, 1
+    peak = peak_force(**law)
 
     def sampled(count: int) -> Outcome:
-        return float(samples(count).max()), count
+        angles = np.linspace(0.0, mechanism.crank_angle_per_wave, count, endpoint=False)
+        return float(force_ratios(crank_angles=angles, **law).max()), count
 
-    counts = [count for count in SAMPLES if count * pins * satellites <= MAX_SAMPLED]
+    def approximated(_: float) -> Outcome:
+        return approximate_peak_ratio(pins=pins, satellites=satellites), 1
+
+    def searched(_: float) -> Outcome:
+        found = peak_force(**law)
+        return found.peak_force_ratio, found.accuracy.evaluations
+
     return work_precision(
         reference=Reference("multiple_peak"),
-        exact=[_exact_peak(mechanism, force_exponent, angle)],
+        exact=_exact_peak(mechanism, force_exponent, peak.peak_crank_angle),
         methods=[
-            Method("sampling", [("points", count) for count in counts], sampled),
-            Method("golden_section", [("points", count) for count in POLISHED], polished),
-            Method("segment_exact", DEFAULT, segment_exact, chosen=True),
-            Method("approximation", DEFAULT, paper),
-            Method("equal_sharing", DEFAULT, equal_sharing),
+            Method("sampling", sampled, "points", SAMPLES),
+            Method("approximation", approximated),
+            Method(peak.accuracy.method, searched),
         ],
     )
 
@@ -159,59 +104,45 @@ def _exact_peak(mechanism: Mechanism, force_exponent: float, crank_angle: float)
             return 1 / mpmath.fsum((c / best) ** power * c for c in cosines)
 
         # The peak lies within rounding of psi: on a kink there, or at a smooth maximum beside it.
-        width = mpmath.mpf("1e-7")
-        return max(_golden_section(force, psi - width, psi + width, EXACT_STEPS), force(psi))
+        middle, width = psi, mpmath.mpf("2e-7")
+        for _ in range(EXACT_STEPS):
+            rises = force(middle + width / 20) > force(middle - width / 20)
+            middle += 0.225 * width if rises else -0.225 * width  # of the part with the summit
+            width *= 0.55
+        return max(force(middle), force(psi))
 
 
-def real_peak_study(
-    *, real: Stage, output_torque: float, over: type[OverTurn] = OverTurn, pins: str = "pins"
-) -> WorkPrecision:
-    """Error against run time of the peak force over the turn, with clearance and errors; of both
-    meshes in series on the pins of the output, over the period after which all repeats.
+def real_peak_study(*, real: Stage, output_torque: float) -> WorkPrecision:
+    """Error against run time of the peak force over the period after which it repeats, with
+    clearance and errors; of both meshes in series on the pins of the output.
 
     Samples miss the peak, always downwards: a bias, not a scatter. One summit narrowed is a
-    summit, and not always the highest.
+    summit, and not always the highest. The reference has `DENSE` times as many positions as the
+    calculator, at other places, and those at dead angles; every summit is narrowed. Raises
+    InvalidInput for too many pairs, ImpossibleMechanism as `Stage.solved` does.
 
     Parameters
     ----------
-    real : Stage
-        Pins in holes or a ring on teeth, of at most `MAX_REAL_PAIRS` pairs, or
-        `MAX_COMPLIANT_PAIRS` where satellites give or have given shares; both in series, of at most
-        `MAX_SERIES_PAIRS`.
-    output_torque : float
-        Torque T on the output link, N*m, not 0; negative in reverse.
-    over : type
-        Extremes of such a stage.
-    pins : str
-        What the number of its pins is called.
-
-    Returns
-    -------
-    WorkPrecision
-        Against four times as many positions as the calculator takes, every summit narrowed.
-
-    Raises
-    ------
-    InvalidInput
-        If there are too many pairs.
-    ImpossibleMechanism
-        See `Stage.solved`.
+    real : Stage, of at most `MAX_PAIRS` pairs
+    output_torque : float, T on the output link, N*m, not 0; negative in reverse
     """
-    turn: Turn
+    ring = isinstance(real, CycloidMesh)
+    _refuse_many(real.mechanism, "ring_teeth" if ring else "pins")
     if isinstance(real, MeshesInSeries):
-        left = MAX_SERIES_PAIRS - real.mechanism.pins * real.mechanism.satellites
-        _refuse_many(real.ring.mechanism, left, "ring_teeth")
-        turn, over = SeriesTurn(real, output_torque), SeriesOverTurn
-        whole = turn.period
-    else:
-        limit = MAX_COMPLIANT_PAIRS if real.support.gives else MAX_REAL_PAIRS
-        _refuse_many(real.mechanism, limit, pins)
-        turn, whole = Turn(real, output_torque), 2 * math.pi
+        own = real.mechanism.pins * real.mechanism.satellites
+        _refuse_many(real.ring.mechanism, "ring_teeth", own)
+
+    def fresh() -> OverTurn:
+        if isinstance(real, MeshesInSeries):
+            return SeriesOverTurn(SeriesTurn(real, output_torque))
+        return (MeshTurn if ring else OverTurn)(Turn(real, output_torque))
+
+    turn = fresh().turn
     narrow = turn.narrow(turn.force)
 
     def grid(count: int) -> Grid:
-        step = whole / count
-        return turn.values(turn.force, [turn.first + step * i for i in range(count)], whole)
+        places = turn.first + turn.period / count * np.arange(count)
+        return turn.values(turn.force, places.tolist(), turn.period)
 
     def sampled(count: int) -> Outcome:
         return float(grid(count).heights.max()), count
@@ -220,22 +151,18 @@ def real_peak_study(
         return summits(grid=grid(count), narrow=narrow, most=1)[0].height, count
 
     def zoomed(_: float) -> Outcome:
-        found = over(type(turn)(real, output_torque))
+        found = fresh()
         return found.peak_force, found.accuracy.evaluations
 
-    def dense() -> float:
-        even, near = turn.positions()
-        step = (even[1] - even[0]) / DENSE
-        places = {psi + step * i for psi in even for i in range(DENSE)} | {*near}
-        values = turn.values(turn.force, sorted(places), turn.period)
-        return all_summits(coarse=values, fine=values, narrow=narrow)[1].height
-
+    even, near = turn.positions()
+    others = other_places(count=DENSE * len(even), first=turn.first, period=turn.period)
+    dense = turn.values(turn.force, sorted([*others.tolist(), *near]), turn.period)
     return work_precision(
         reference=Reference("sampling_dense", REAL_DIGITS),
-        exact=[dense()],
+        exact=max(each.height for each in summits(grid=dense, narrow=narrow)),
         methods=[
-            Method("sampling", [("positions", count) for count in POSITIONS], sampled),
-            Method("golden_section", [("positions", count) for count in ZOOMED], narrowed),
-            Method("sampling_zoomed", DEFAULT, zoomed, chosen=True),
+            Method("sampling", sampled, "positions", POSITIONS),
+            Method("golden_section", narrowed, "positions", POSITIONS),
+            Method("sampling_zoomed", zoomed),
         ],
     )

@@ -3,7 +3,7 @@
 A calculation gives its exact value and a table of `Method`; `work_precision` does the rest.
 """
 
-import math
+import cmath
 import statistics
 import time
 from collections.abc import Callable, Iterable, Sequence
@@ -17,24 +17,16 @@ REFERENCE_DIGITS = 40
 
 SETTINGS = {
     "default": "default",
-    "level": "level {value}",
     "pieces": "{value} pieces",
     "positions": "{value} positions",
     "points": "n = {value}",
 }
 """Settings of methods in English, by code."""
 
-Setting = tuple[str, float]
-"""A key of `SETTINGS`, and what it names."""
+Outcome = tuple[complex, int]
+"""A value, or the vector x + i*y, and the evaluations of the function behind it."""
 
-DEFAULT: tuple[Setting] = (("default", 0.0),)
-"""Settings of a method that has none."""
-
-Outcome = tuple[float | Sequence[float], int]
-"""A value, or the components of a vector, and the evaluations of the function behind it."""
-
-_REPEATS = 7
-_BUDGET_S = 0.02
+_REPEATS, _BUDGET_S = 7, 0.02
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,9 +34,9 @@ class Method:
     """A way to calculate a quantity, at one or several settings."""
 
     code: str  # a key of `core.errors.METHODS`
-    settings: Sequence[Setting]  # what it is run at
     function: Callable[[Any], Outcome]  # `Outcome` at the value of a setting
-    chosen: bool = False  # whether the calculators use it
+    setting: str = "default"  # a key of `SETTINGS`
+    values: Sequence[float] = (0.0,)  # values of the setting that it is run at
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +44,8 @@ class WorkPoint:
     """One method at one setting."""
 
     method: str  # a key of `core.errors.METHODS`
-    setting: Setting  # number of samples, nodes or pieces
+    setting: str  # a key of `SETTINGS`
+    value: float  # number of samples, nodes or pieces
     relative_error: float  # measured against the reference
     run_time: float  # median, s
     evaluations: int  # how often the function behind the method was evaluated
@@ -72,39 +65,27 @@ class WorkPrecision:
 
     reference: Reference
     points: tuple[WorkPoint, ...]  # all methods at all settings that can be had
-    chosen: WorkPoint  # the one that the calculators use
+
+    @property
+    def chosen(self) -> WorkPoint:
+        """The last point: the calculators' method."""
+        return self.points[-1]
 
 
-def work_precision(
-    *, reference: Reference, exact: Sequence[Any], methods: Iterable[Method]
-) -> WorkPrecision:
+def work_precision(*, reference: Reference, exact: Any, methods: Iterable[Method]) -> WorkPrecision:
     """Error against run time of each method at each of its settings.
 
     Parameters
     ----------
-    reference : Reference
-        How the exact value was got.
-    exact : sequence of mpmath numbers, shape (n,)
-        Components of the exact value.
-    methods : iterable of Method
-        The table; what gives no finite number on this input is left out. One method is chosen,
-        which always gives one.
-
-    Returns
-    -------
-    WorkPrecision
+    reference : Reference, how the exact value was got
+    exact : mpmath number, the exact value
+    methods : iterable of Method, the last that of the calculators; left out where not finite
     """
-    measured = [
-        (method, point)
-        for method in methods
-        for setting in method.settings
-        if (point := _measured(method, setting, exact))
-    ]
-    *_, chosen = (point for method, point in measured if method.chosen)
-    return WorkPrecision(reference, tuple(point for _, point in measured), chosen)
+    measured = (_measured(method, value, exact) for method in methods for value in method.values)
+    return WorkPrecision(reference, tuple(point for point in measured if point))
 
 
-def _measured(method: Method, setting: Setting, exact: Sequence[Any]) -> WorkPoint | None:
+def _measured(method: Method, setting: float, exact: Any) -> WorkPoint | None:
     """A method at a setting, compared and timed; None where it gives no finite number."""
     import mpmath
 
@@ -113,16 +94,15 @@ def _measured(method: Method, setting: Setting, exact: Sequence[Any]) -> WorkPoi
     while len(times) < _REPEATS and (not times or time.perf_counter() - began < _BUDGET_S):
         start = time.perf_counter_ns()
         with np.errstate(all="ignore"):  # a method may fail here: it is left out below
-            value, evaluations = method.function(setting[1])
+            value, evaluations = method.function(setting)
         times.append((time.perf_counter_ns() - start) * 1e-9)
-    components = [value] if isinstance(value, (int, float)) else list(value)
-    if not all(math.isfinite(each) for each in components):
+    if not cmath.isfinite(value):
         return None
-    off = [mpmath.mpf(got) - want for got, want in zip(components, exact, strict=True)]
     return WorkPoint(
         method=method.code,
-        setting=setting,
-        relative_error=float(mpmath.norm(off) / mpmath.norm(exact)),
+        setting=method.setting,
+        value=setting,
+        relative_error=float(abs(mpmath.mpmathify(value) - exact) / abs(exact)),
         run_time=statistics.median(times),
         evaluations=evaluations,
     )

@@ -500,7 +500,6 @@ export default {
     numbers: "How exact the numbers of the model are",
     sources: "Sources",
     tradeOff: "Error against run time: how many right digits of the model's answer each method gives, and for how long it computes. Left and low is better. For a design all methods below 0.1 % are equally good.",
-    example: "In the example (five pins, cranks at 0°, 100° and 230°) sampling 64 crank angles misses the peak by 0.007 %; for two more digits it takes ten times the angles, and the time; the exact method has all digits at once.",
   },
   share: {
     title: "Take along",
@@ -932,7 +931,6 @@ export default {
   },
   figure: {
     older: "Of older inputs",
-    measureExample: "Measure an example with a trade-off",
     largest: "Largest force",
     largestReal: "Largest force, real",
     forceReal: "The real forces under the torque, with clearance, errors and bending; thin and dotted the largest ideal one.",

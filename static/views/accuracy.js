@@ -27,8 +27,7 @@ export function createAccuracy({ calculator, about, figures }) {
         <section><h3>${message("accuracy.sources")}</h3>${list((about?.sources ?? []).map((source) => html`<cite lang="en">${source}</cite>`))}</section>
         <section><h3>${message("notes.title")}</h3>${list(calculator.notes.flatMap((id) => message(`notes.${id}`)))}</section>
       </div>
-      ${figures.length > 0 && html`<p class="trade-off">${message("accuracy.tradeOff")}
-        ${calculator.figures.some(({ example }) => example) && message("accuracy.example")}</p>`}
+      ${figures.length > 0 && html`<p class="trade-off">${message("accuracy.tradeOff")}</p>`}
     </details>`);
   root.append(...figures.map((figure) => figure.root));
   const numbers = root.querySelector(".numbers-of");

@@ -43,8 +43,7 @@ export function createFigure({ figure: about, client, titles, on }) {
         <div class="figure-table" tabindex="0" role="region" aria-label="${title}" hidden></div>
         <p class="figure-message" hidden></p>
         ${olderMark()}
-        ${figure.onDemand && html`<p class="measures"><button type="button" class="measure">${message("figure.measure")}</button>
-          ${figure.example && html`<button type="button" class="measure example">${message("figure.measureExample")}</button>`}</p>`}
+        ${figure.onDemand && html`<button type="button" class="measure">${message("figure.measure")}</button>`}
       </div>
       ${(figure.enveloped || figure.real) && html`<p class="figure-note"></p>`}
     </figure>`);
@@ -53,9 +52,7 @@ export function createFigure({ figure: about, client, titles, on }) {
   const trouble = root.querySelector(".figure-message");
   const tools = root.querySelector(".figure-tools");
   const toggle = root.querySelector(".show-table");
-  const measures = [...root.querySelectorAll(".measure")];
-  const [measure] = measures;
-  let example = false; // whether the figure's own example is measured
+  const measure = root.querySelector(".measure");
   const plot = createPlot({ label: message(`figure.${figure.id}Label`), follows: figure.follows, picked: on.picked, clicked });
   canvas.prepend(plot.root);
   if (figure.follows) canvas.append(plot.cursor);
@@ -92,8 +89,7 @@ export function createFigure({ figure: about, client, titles, on }) {
 
   async function post({ input, answer, requests }, theme, signal) {
     const { path, body: bodyOf } = isReal(input, answer) ? figure.real : figure;
-    const body = example ? { calculation: about.measures, input: figure.example } : bodyOf(input, answer, requests);
-    return client.post(path, body, { signal, query: { theme } }).then(inLanguage).then(figure.shape ?? ((chart) => chart));
+    return client.post(path, bodyOf(input, answer, requests), { signal, query: { theme } }).then(inLanguage).then(figure.shape ?? ((chart) => chart));
   }
 
   /** The first chart is asked for beside the answer, where its body does not hang on that; later ones of what is not refused. */
@@ -180,31 +176,24 @@ export function createFigure({ figure: about, client, titles, on }) {
     else drawing = draw();
   });
 
-  for (const button of measures) button.addEventListener("click", async () => {
-    example = button !== measure;
-    for (const one of measures) one.disabled = true;
-    button.textContent = message("figure.measuring");
+  measure?.addEventListener("click", async () => {
+    measure.disabled = true;
+    measure.textContent = message("figure.measuring");
     const asked = latest;
     reserve(heightOf(asked.filled));
     const problem = await draw();
     if (latest !== asked) return;
-    if (problem) {
-      button.textContent = message(button === measure ? "figure.measure" : "figure.measureExample");
-      for (const one of measures) one.disabled = false;
-      return;
-    }
-    for (const one of measures) one.hidden = true;
-    tools.hidden = false;
+    measure.hidden = !problem;
+    tools.hidden = Boolean(problem);
+    measure.disabled = false;
+    measure.textContent = message("figure.measure");
   });
 
   /** A figure on demand of other inputs than these gives way to its button. */
   function fold() {
-    example = false;
-    for (const one of measures) {
-      one.hidden = false;
-      one.disabled = latest === null;
-      one.textContent = message(one === measure ? "figure.measure" : "figure.measureExample");
-    }
+    measure.hidden = false;
+    measure.disabled = latest === null;
+    measure.textContent = message("figure.measure");
     tools.hidden = true;
     newest.cancel();
     plot.purge();

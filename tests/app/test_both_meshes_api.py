@@ -226,7 +226,7 @@ async def test_work_and_precision_are_of_both(api):
     errors = [each["relative_error"] for each in sampling]
     assert errors[0] > 5 * errors[-1] > 0
     assert answer["chosen"]["relative_error"] < min(1e-6, errors[-1])
-    many = changed([["deviations"]], mechanism={"satellites": 4})
+    many = changed([["deviations"]], mechanism={"satellites": 5})
     error = (await api.post("work-precision", json=body | {"input": many})).json()["errors"][0]
     assert (error["pointer"], error["code"]) == ("/input/mechanism/ring_teeth", "too_many_pairs")
 

@@ -47,13 +47,12 @@ async def test_more_samples_are_better_and_dearer(api):
     body = {"calculation": "peak_force", "input": STUDIES["peak_force"]}
     points = (await api.post("work-precision", json=body)).json()["points"]
     sampling = [point for point in points if point["method"] == "sampling"]
-    assert [p["evaluations"] for p in sampling] == [16, 64, 256, 1024, 4096, 16384, 65536]
+    assert [p["evaluations"] for p in sampling] == [16, 64, 256, 1024, 4096]
     errors = [point["relative_error"] for point in sampling]
     assert (
         errors == pytest.approx(sorted(errors, reverse=True), rel=EXACT)
         and errors[0] > 1e4 * errors[-1]
     )
-    assert sampling[-1]["run_time_us"] > 10 * sampling[0]["run_time_us"]
 
 
 MADE_OF_OTHERS = {"crank-planetary", "solve", "work-precision"}
@@ -116,14 +115,12 @@ async def test_samples_miss_the_real_peak_downwards_and_narrowed_summits_do_not(
     assert answer["chosen"] in answer["points"]
     assert answer["chosen"]["relative_error"] < 1e-9
     sampling = [point for point in answer["points"] if point["method"] == "sampling"]
-    assert [point["evaluations"] for point in sampling] == [24, 60, 120, 360, 720, 1440, 2880]
+    assert [point["evaluations"] for point in sampling] == [24, 60, 120, 360, 720, 1440]
     errors = [point["relative_error"] for point in sampling]
     assert (
         errors == pytest.approx(sorted(errors, reverse=True), rel=EXACT)
         and errors[0] > 20 * errors[-1] > 0
     )
-    times = [point["run_time_us"] for point in sampling]
-    assert times[-1] > 20 * times[0]
 
 
 async def test_positions_of_a_ring_miss_its_peak_downwards(api):
@@ -137,7 +134,7 @@ async def test_positions_of_a_ring_miss_its_peak_downwards(api):
     assert errors[0] > 20 * errors[-1] > 0
     assert answer["chosen"] in answer["points"]
     assert answer["chosen"]["relative_error"] < 1e-9
-    many = own | {"mechanism": own["mechanism"] | {"satellites": 2}}
+    many = own | {"mechanism": own["mechanism"] | {"satellites": 7}}
     refused = (await api.post("work-precision", json=body | {"input": many})).json()["errors"]
     assert refused[0]["pointer"] == "/input/mechanism/ring_teeth"
     teeth = {"gear": {"kind": "involute", "module_mm": 2, "contact_length_mm": 10}}
@@ -147,10 +144,10 @@ async def test_positions_of_a_ring_miss_its_peak_downwards(api):
 
 async def test_a_study_of_the_real_peak_has_a_limit(api):
     own = REQUESTS["load-sharing"]
-    many = {**own, "mechanism": {**own["mechanism"], "pins": 19}, "deviations": {}}
+    many = {**own, "mechanism": {**own["mechanism"], "pins": 61}, "deviations": {}}
     response = await api.post("work-precision", json={"calculation": "load-sharing", "input": many})
     error = response.json()["errors"][0]
-    assert (error["pointer"], error["params"]["limit"]) == ("/input/mechanism/pins", 18)
+    assert (error["pointer"], error["params"]["limit"]) == ("/input/mechanism/pins", 60)
 
 
 PIECES = {**REQUESTS["tolerance-study"], "crank_angles": 12, "percentiles": [50], "limits": {}}
@@ -164,16 +161,16 @@ async def test_more_pieces_scatter_less_and_more_positions_miss_less(api):
     lines: dict[str, list[dict]] = {}
     for point in answer["points"]:
         lines.setdefault(point["method_code"], []).append(point)
-    assert [*lines] == [f"monte_carlo{grid}" for grid in ("_quarter", "_half", "", "_double")]
-    for line, positions in zip(lines.values(), (3, 6, 12, 24), strict=True):
+    assert [*lines] == [f"monte_carlo{grid}" for grid in ("_quarter", "_double", "")]
+    for line, positions in zip(lines.values(), (3, 24, 12), strict=True):
         assert [point["setting_value"] for point in line] == [10, 40, 160]
         assert [point["evaluations"] for point in line] == [
             pieces * positions for pieces in (10, 40, 160)
         ]
         errors = [point["relative_error"] for point in line]
         assert errors == sorted(errors, reverse=True)
-    ends = [line[-1]["relative_error"] for line in lines.values()]
-    assert ends == sorted(ends, reverse=True) and ends[0] > 2 * ends[-1]
+    coarse, fine, asked = (line[-1]["relative_error"] for line in lines.values())
+    assert coarse > 2 * asked and asked > fine
     assert answer["chosen"] == lines["monte_carlo"][-1]
     # the study's own interval says the same of the scatter, the grid's bias taken away
     study = (await api.post("tolerance-study", json=own)).json()["quantities"]["peak_force_N"]

@@ -7,38 +7,31 @@ import numpy as np
 import pytest
 
 from core.errors import METHODS
+from core.output.contact_force import peak_force
 from core.output.mechanism import Mechanism
 from core.precession.rollers import RollerByLength
 from core.precision import CONVERGED, EXACT
-from core.work_precision.peaks import peak_force_study
-from core.work_precision.precession import contact_line_study, rules
-from core.work_precision.study import DEFAULT, Method, Reference, work_precision
+from core.work_precision.peaks import _exact_peak, peak_force_study
+from core.work_precision.precession import contact_line_study, rule
+from core.work_precision.study import Method, Reference, work_precision
 
-RULES = {
-    "trapezoid": (129, 1e-4),
-    "simpson": (129, 1e-8),
-    "gauss_legendre": (16, 1e-15),
-    "clenshaw_curtis": (16, 1e-14),
-    "tanh_sinh": (5, 1e-14),
-}
+RULES = {"simpson": (129, 1e-8), "gauss_legendre": (16, 1e-15)}
 """A setting of each rule, and its error in the integral of a smooth function."""
 
 
 def test_each_method_runs_at_each_setting_and_what_is_not_finite_is_left_out():
-    root = Method(
-        "golden_section", [("points", 1), ("points", 3)], lambda n: (math.sqrt(2) + 0.1**n, n)
-    )
-    fails = Method("approximation", [("points", 2)], lambda n: (math.nan, n))
-    used = Method("closed_form", DEFAULT, lambda _: (math.sqrt(2), 1), chosen=True)
+    root = Method("golden_section", lambda n: (math.sqrt(2) + 0.1**n, n), "points", (1, 3))
+    fails = Method("approximation", lambda n: (math.nan, n), "points", (2,))
+    used = Method("closed_form", lambda _: (math.sqrt(2), 1))
     study = work_precision(
         reference=Reference("multiple_closed_form"),
-        exact=[mpmath.sqrt(2)],
+        exact=mpmath.sqrt(2),
         methods=[root, fails, used],
     )
-    assert [(each.method, each.setting) for each in study.points] == [
-        ("golden_section", ("points", 1)),
-        ("golden_section", ("points", 3)),
-        ("closed_form", ("default", 0.0)),
+    assert [(each.method, each.setting, each.value) for each in study.points] == [
+        ("golden_section", "points", 1),
+        ("golden_section", "points", 3),
+        ("closed_form", "default", 0.0),
     ]
     errors = [each.relative_error for each in study.points]
     assert errors[:2] == pytest.approx([0.1 / math.sqrt(2), 0.001 / math.sqrt(2)], rel=EXACT)
@@ -49,21 +42,18 @@ def test_each_method_runs_at_each_setting_and_what_is_not_finite_is_left_out():
 
 
 def test_the_error_of_a_vector_is_over_its_length():
-    vector = Method("closed_form", DEFAULT, lambda _: ([3.0, 4.5], 1), chosen=True)
-    study = work_precision(
-        reference=Reference("multiple_closed_form"), exact=[mpmath.mpf(3), mpmath.mpf(4)],
-        methods=[vector],
-    )  # fmt: skip
+    vector = Method("closed_form", lambda _: (3.0 + 4.5j, 1))
+    reference = Reference("multiple_closed_form")
+    study = work_precision(reference=reference, exact=mpmath.mpc(3, 4), methods=[vector])
     assert study.chosen.relative_error == pytest.approx(0.1, rel=CONVERGED)
 
 
 @pytest.mark.parametrize("code", RULES)
 def test_rules_integrate(code):
-    value, error = RULES[code]
-    found = rules(code)[value].integral(lambda x: np.stack((np.exp(x), np.ones_like(x))), -1.0, 2.0)
-    exact = [math.exp(2) - math.exp(-1), 3.0]
-    assert abs(found / exact - 1).max() < error
-    assert all(f"{code}_{along}" in METHODS for along in ("phi", "z", "shaft"))
+    count, error = RULES[code]
+    nodes, weights = rule(code=code, count=count)
+    assert len(nodes) == count and weights.sum() == pytest.approx(2.0, rel=CONVERGED)
+    assert np.exp(nodes) @ weights == pytest.approx(math.e - 1 / math.e, rel=error)
 
 
 @pytest.mark.parametrize("exponent", [0.0, 1.0, 1.5])
@@ -72,10 +62,20 @@ def test_the_reference_of_the_peak_is_the_search_of_the_calculator(exponent, cra
     """They share no formula; what lies beside it by more than rounding is another peak."""
     mechanism = Mechanism(pins=5, crank_angles=cranks, ratio=20.0, initial_crank_angle=0.7)
     study = peak_force_study(mechanism=mechanism, force_exponent=exponent)
+    assert study.chosen.method in METHODS
     assert (study.reference.method, study.reference.digits) == ("multiple_peak", 40)
     assert study.chosen.relative_error < 1e-14
     sampled = [each for each in study.points if each.method == "sampling"]
     assert sampled[-1].relative_error < 1e-4
+
+
+def test_the_reference_has_its_digits_on_a_kink_too():
+    """Equal sharing of an odd number of pins: the least sum of their arms is cot(pi/2N)/2."""
+    mechanism = Mechanism(pins=5, crank_angles=(0.3,), ratio=20.0)
+    there = peak_force(mechanism=mechanism, force_exponent=0.0).peak_crank_angle
+    with mpmath.workdps(40):
+        peak, exact = _exact_peak(mechanism, 0.0, there), 2 * mpmath.tan(mpmath.pi / 10)
+        assert abs(peak / exact - 1) < 1e-37
 
 
 GEAR = {

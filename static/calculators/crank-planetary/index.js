@@ -20,12 +20,6 @@ const DESIGN = [ // parts that are judged beside the contact
   ...MADE, "pin", "fatigue", "rollers", "friction", "gear", "bearing", "crankshaft", "satellite_body", "temperatures", "requirements",
 ];
 
-/** Cranks spaced unevenly: the peak lies between all even steps, so that sampling has to pay for digits. */
-const TRADE_OFF = {
-  pins: 5, satellites: 3, crank_angles_deg: [0, 100, 230], ratio: 17.31, output_torque_Nm: 280, pin_circle_radius_mm: 28,
-  force_exponent: 1.1,
-};
-
 /** /cyclogram and /contact-force ask the mechanism's fields beside their own. */
 function forceBody({
   mechanism: { revolutions, ...mechanism },
@@ -370,7 +364,7 @@ export default {
       body: hertzBody,
       height: 320,
     },
-    { id: "workPeak", section: "contact_force", measures: "contact-force", body: forceBody, example: TRADE_OFF },
+    { id: "workPeak", section: "contact_force", measures: "contact-force", body: forceBody },
   ],
 
   /** What the service draws of the design on the screen: cycloid discs whose modification is stated, and the pins of their ring; involute teeth of known heights. */
