@@ -98,7 +98,11 @@ def _loaded(real: Any, pairs: list, lag: mpf) -> tuple[list[mpf], mpf]:
     held, back = _held(real), mpf(0)
     if hasattr(held, "stiffness"):  # the disc moves back along its crank, or turns in the mesh
         gives = 1 / mpf(held.stiffness)
-        low, high = sorted((back, gives * loaded(back)[2]))
+        far = gives * loaded(back)[2]
+        turns = not hasattr(held, "radial_clearance")
+        if turns and abs(lag) < abs(far) and not loaded(lag)[2]:  # turned as far it is free
+            far = lag
+        low, high = sorted((back, far))
         back = _root(lambda x: x - gives * loaded(x)[2], low, high)
     return loaded(back)[:2]
 
