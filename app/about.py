@@ -61,26 +61,27 @@ class Health(ResponseModel):
 class LimitOut(ResponseModel):
     """Limit of the contact pressure by one criterion."""
 
-    criterion: Criterion = Field(description="What the limit is for.")
-    pressure_MPa: float = Field(description="The limit.")
-    source: str = Field(description="Where it comes from.")
-    source_code: str = Field(description="The same by code.")
+    criterion: Criterion = Field(description="Kind of damage that the limit guards against.")
+    pressure_MPa: float = Field(description="Limit of the contact pressure.")
+    source: str = Field(description="Source of the limit, in English.")
+    source_code: str = Field(description="Source of the limit, by code.")
     verified: Verified = Field(
-        description="Whether it was read in its standard or in two secondary sources."
+        description="Way in which the source of the limit was checked: in the standard itself, or"
+        " in two secondary sources."
     )
     life_curve: Maybe[LifeCurve] = Field(
-        description="How it falls over the life, where that is known."
+        description="Curve by which the limit falls over the life, if one is known."
     )
 
 
 class FactOut(ResponseModel):
     """A value of a material with its spread and its sources; one source alone is for reference."""
 
-    name: str = Field(description="Which, as it is called beside this list.")
-    low: Maybe[float] = Field(description="The least that was seen, in the unit of its name.")
-    high: Maybe[float] = Field(description="The largest.")
-    source: str = Field(description="Where it was seen.")
-    seen: Seen = Field(description="In how many independent sources.")
+    name: str = Field(description="Name of the value, as in the material beside this list.")
+    low: Maybe[float] = Field(description="Least value in the sources, in the unit of the name.")
+    high: Maybe[float] = Field(description="Largest value in the sources, in the unit of the name.")
+    source: str = Field(description="Sources of the value.")
+    seen: Seen = Field(description="Number of independent sources.")
 
     @classmethod
     def of(cls, quantity: str, fact: Fact) -> "FactOut":
@@ -119,55 +120,66 @@ OWN_FACTS = (
 class MaterialOut(ResponseModel):
     """A material of the table."""
 
-    name: str = Field(description="Its name in requests.")
-    title: str = Field(description="Its designation.")
-    group: str = Field(description="Its group, in English.")
-    group_code: str = Field(description="The same by code.")
+    name: str = Field(description="Name of the material in requests.")
+    title: str = Field(description="Designation of the material.")
+    group: str = Field(description="Group of the material, in English.")
+    group_code: str = Field(description="Group of the material, by code.")
     youngs_modulus_GPa: Maybe[float] = Field(
-        description="Young's modulus; absent where no source has it: then it is given by values."
+        description="Young's modulus; absent if no source states it, so that requests have to "
+        "give it."
     )
-    poissons_ratio: Maybe[float] = Field(description="Poisson's ratio; absent likewise.")
+    poissons_ratio: Maybe[float] = Field(
+        description="Poisson's ratio; absent if no source states it, so that requests have to "
+        "give it."
+    )
     allowable_pressure_MPa: Maybe[float] = Field(
-        description="Endurance limit of the contact pressure, where there is one."
+        description="Endurance limit of the contact pressure, if one is known."
     )
     limits: list[LimitOut]
-    source: str = Field(description="Where Young's modulus and Poisson's ratio come from.")
+    source: str = Field(description="Source of Young's modulus and Poisson's ratio.")
     tensile_strength_MPa: Maybe[float] = Field(description="Tensile strength.")
     yield_strength_MPa: Maybe[float] = Field(
         description="Yield strength Re or Rp0.2, or yield stress of a plastic."
     )
     valid_diameter_mm: Maybe[float] = Field(
-        description="Largest diameter or wall that the strengths hold for."
+        description="Largest diameter or wall for which the strengths hold."
     )
     strength_source: Maybe[str] = Field(
-        description="Where they come from: a standard, as in two secondary sources."
+        description="Source of the strengths: a standard, as quoted in two secondary sources."
     )
     strength_in_plane_MPa: Maybe[float] = Field(
         description="Usual strength of a printed plastic in the plane of its layers."
     )
-    strength_across_MPa: Maybe[float] = Field(description="The same across its layers.")
+    strength_across_MPa: Maybe[float] = Field(
+        description="Usual strength of a printed plastic across its layers."
+    )
     softening_C: Maybe[float] = Field(
-        description="Heat deflection temperature under 1.8 MPa, or where it goes soft."
+        description="Heat deflection temperature under 1.8 MPa, or temperature at which the "
+        "material softens."
     )
     friction: Maybe[float] = Field(description="Usual friction coefficient of running pairs.")
     dry_friction: Maybe[float] = Field(
-        description="Largest friction coefficient of data sheets, dry: shown only."
+        description="Largest dry friction coefficient in data sheets; for information only."
     )
     wear_rate_mm3_per_Nm: Maybe[float] = Field(
-        description="Largest wear coefficient seen, dry: shown only, no check takes it by itself."
+        description="Largest dry wear coefficient in the sources; for information only, as no "
+        "check uses it by itself."
     )
     youngs_modulus_low_GPa: Maybe[float] = Field(
-        description="Least Young's modulus of its sources: deflections are judged by it."
+        description="Least Young's modulus in the sources; deflections are judged by it."
     )
     youngs_modulus_high_GPa: Maybe[float] = Field(
-        description="The largest: pressures and forces are by it."
+        description="Largest Young's modulus in the sources; pressures and forces are judged by it."
     )
     density_kg_m3: Maybe[float] = Field(description="Density.")
-    density_source: Maybe[str] = Field(description="Where it comes from.")
+    density_source: Maybe[str] = Field(description="Source of the density.")
     facts: Maybe[list[FactOut]] = Field(
-        description="Values whose sources differ, or of which there is one only, with these."
+        description="Values on which sources differ, or which have a single source, with the "
+        "sources of each."
     )
-    aliases: Maybe[list[str]] = Field(description="Other names that requests may have.")
+    aliases: Maybe[list[str]] = Field(
+        description="Other names of the material that requests may use."
+    )
 
     @classmethod
     def of(cls, entry: TableMaterial) -> "MaterialOut":
@@ -235,7 +247,7 @@ class MaterialTable(ResponseModel):
 class SizeOut(ResponseModel):
     """Limits of a diameter, or its ISO 286 class."""
 
-    tolerance_class: Maybe[str] = Field(alias="class", description="The class.")
+    tolerance_class: Maybe[str] = Field(alias="class", description="ISO 286 class.")
     lower_mm: Maybe[float] = Field(description="Lower limit deviation.")
     upper_mm: Maybe[float] = Field(description="Upper limit deviation.")
 
@@ -251,20 +263,23 @@ class SizeOut(ResponseModel):
 class ProcessEntry(ResponseModel):
     """Usual deviations of a manufacturing process: guide values for the part as it is made."""
 
-    code: ProcessName = Field(description="Its name in requests.")
-    title: str = Field(description="What it is.")
-    hole_diameter: Maybe[SizeOut] = Field(description="Of the diameter of holes.")
+    code: ProcessName = Field(description="Name of the process in requests.")
+    title: str = Field(description="Designation of the process.")
+    hole_diameter: Maybe[SizeOut] = Field(
+        description="Usual class or limits of the diameter of holes."
+    )
     pin_diameter: Maybe[SizeOut] = Field(
-        description="Of the diameter of pins; absent where it makes none."
+        description="Usual class or limits of the diameter of pins; absent if the process makes "
+        "no pins."
     )
-    position_mm: float = Field(description="Diameter of the round zone of each centre.")
+    position_mm: float = Field(description="Diameter of the round tolerance zone of each centre.")
     clearance_mm: float = Field(
-        description="Radial clearance with which such parts usually run; no request takes it from "
-        "here."
+        description="Radial clearance with which such parts usually run; for information, as no "
+        "request uses it."
     )
-    least_clearance_mm: float = Field(description="The least that the sources name.")
-    largest_clearance_mm: float = Field(description="The largest that they name.")
-    source: str = Field(description="Where the numbers come from.")
+    least_clearance_mm: float = Field(description="Least radial clearance in the sources.")
+    largest_clearance_mm: float = Field(description="Largest radial clearance in the sources.")
+    source: str = Field(description="Source of the numbers.")
 
     @classmethod
     def of(cls, each: Process) -> "ProcessEntry":
@@ -292,11 +307,11 @@ class ProcessTable(ResponseModel):
 class BearingRatingsOut(ResponseModel):
     """Load ratings of a bearing by one maker."""
 
-    maker: str = Field(description="The maker.")
-    shielded: bool = Field(description="Whether they are of shielded bearings only.")
+    maker: str = Field(description="Maker of the bearing.")
+    shielded: bool = Field(description="True if the ratings hold for shielded bearings only.")
     dynamic_rating_N: float = Field(description="Basic dynamic load rating C.")
     static_rating_N: float = Field(description="Basic static load rating C₀.")
-    source: str = Field(description="Where they were read.")
+    source: str = Field(description="Catalogue in which the ratings are stated.")
 
     @classmethod
     def of(cls, ratings: Ratings) -> "BearingRatingsOut":
@@ -313,13 +328,21 @@ class BearingRatingsOut(ResponseModel):
 class BearingOut(ResponseModel):
     """A bearing of the table."""
 
-    name: str = Field(description="Its name in requests.")
-    kind: str = Field(description="Rolling elements.")
+    name: str = Field(description="Name of the bearing in requests.")
+    kind: str = Field(description="Kind of rolling elements.")
     bore_diameter_mm: float = Field(description="Bore d.")
     outer_diameter_mm: float = Field(description="Outer diameter D.")
-    width_mm: float = Field(description="Width B, of a shielded one; open ones may be narrower.")
-    dynamic_rating_N: float = Field(description="Lowest C of all makers: what the name says.")
-    static_rating_N: float = Field(description="Lowest C₀ of all makers: likewise.")
+    width_mm: float = Field(
+        description="Width B of the shielded bearing; open bearings may be narrower."
+    )
+    dynamic_rating_N: float = Field(
+        description="Lowest basic dynamic load rating C of all makers; calculations by the "
+        "bearing's name use it."
+    )
+    static_rating_N: float = Field(
+        description="Lowest basic static load rating C₀ of all makers; calculations by the "
+        "bearing's name use it."
+    )
     makers: list[BearingRatingsOut] = Field(description="Ratings as each maker states them.")
 
     @classmethod
@@ -345,11 +368,11 @@ class BearingTable(ResponseModel):
 class Example(ResponseModel):
     """A paper's figure or number as a ready request."""
 
-    id: str = Field(description="Its name.")
-    title: str = Field(description="What it is.")
-    source: str = Field(description="Where it comes from.")
-    calculation: str = Field(description="The calculation that takes it.")
-    input: dict[str, Any] = Field(description="The request.")
+    id: str = Field(description="Identifier of the example.")
+    title: str = Field(description="Title of the example.")
+    source: str = Field(description="Paper from which the example is taken.")
+    calculation: str = Field(description="Name of the calculation that the example asks for.")
+    input: dict[str, Any] = Field(description="Request of the example.")
 
 
 class ExampleList(ResponseModel):
@@ -362,24 +385,29 @@ class NeglectedOut(ResponseModel):
     """Effect that a model leaves out."""
 
     code: str = Field(
-        description="What is left out, by code.", json_schema_extra={"enum": [*NEGLECTED]}
+        description="Neglected effect, by code.", json_schema_extra={"enum": [*NEGLECTED]}
     )
-    detail: str = Field(description="The same in English.")
+    detail: str = Field(description="Neglected effect, in English.")
 
 
 class CalculationOut(ResponseModel):
     """A calculation of the service."""
 
-    name: str = Field(description="Its one name: in paths, batches, studies and examples.")
-    title: str = Field(description="What it is.")
-    path: str = Field(description="Path of its endpoint.")
-    chart: Maybe[str] = Field(description="Path of its figure.")
-    batched: bool = Field(description="Whether batches take it.")
-    compared: bool = Field(description="Whether `/work-precision` compares methods of it.")
-    sources: list[str] = Field(description="Where its formulas come from.")
+    name: str = Field(
+        description="Name of the calculation in paths, batches, studies and examples."
+    )
+    title: str = Field(description="Title of the calculation.")
+    path: str = Field(description="Path of the endpoint.")
+    chart: Maybe[str] = Field(description="Path of the figure.")
+    batched: bool = Field(description="True if batches accept the calculation.")
+    compared: bool = Field(
+        description="True if `/work-precision` compares methods of the calculation."
+    )
+    sources: list[str] = Field(description="Sources of the formulas.")
     model: list[NeglectedOut] = Field(
-        description="What its model leaves out with all of its sections given; what sections that "
-        "are not given leave out besides is `not_considered` in the answer."
+        description="Effects that the model leaves out even if all of its sections are given. "
+        "Effects that are left out because a section is not given are in "
+        "`not_considered` of the answer."
     )
 
     @classmethod
@@ -418,7 +446,7 @@ class ClassOut(ResponseModel):
     """Limits of a diameter by an ISO 286 class."""
 
     tolerance_class: str = Field(
-        alias="class", description="The class: lower case of a shaft, upper case of a hole."
+        alias="class", description="ISO 286 class: lower case for a shaft, upper case for a hole."
     )
     lower_mm: float = Field(description="Lower limit deviation.")
     upper_mm: float = Field(description="Upper limit deviation.")
@@ -435,18 +463,18 @@ class ClassList(ResponseModel):
     """Classes at a nominal diameter."""
 
     size_mm: float = Field(description="Nominal diameter.")
-    source: str = Field(description="Where the table comes from.")
+    source: str = Field(description="Source of the table.")
     tolerances: list[ClassOut]
 
 
 class NoticeWords(ResponseModel):
     """English words of a warning, with explanation."""
 
-    text: str = Field(description="The warning.")
-    title: str = Field(description="What it is.")
-    tests: str = Field(description="What is looked at.")
-    why: str = Field(description="Why it matters.")
-    mend: str = Field(description="What to do about it.")
+    text: str = Field(description="Text of the warning.")
+    title: str = Field(description="Title of the warning.")
+    tests: str = Field(description="Condition that is tested.")
+    why: str = Field(description="Reason why the warning matters.")
+    mend: str = Field(description="Advice on what to change.")
 
     @classmethod
     def of(cls, code: Code) -> "NoticeWords":
@@ -459,12 +487,14 @@ class NoticeWords(ResponseModel):
 class CheckWords(ResponseModel):
     """English words of a check."""
 
-    title: str = Field(description="What it is.")
-    why: str = Field(description="What is wrong where it does not hold.")
+    title: str = Field(description="Title of the check.")
+    why: str = Field(description="Consequence if the check fails.")
     warning: Maybe[NoticeWords] = Field(
-        default=None, description="What answers without checks say by its code."
+        default=None, description="Warning with the code of the check, in answers without checks."
     )
-    refusal: Maybe[str] = Field(default=None, description="What a refusal says by its code.")
+    refusal: Maybe[str] = Field(
+        default=None, description="Text of a refusal with the code of the check."
+    )
 
     @classmethod
     def of(cls, code: str) -> "CheckWords":
@@ -486,37 +516,42 @@ class Words(ResponseModel):
     """
 
     refusals: dict[str, str] = Field(
-        description="What is wrong with a field, `code` of `errors`: the rest of a sentence that "
-        "starts with the field, or a sentence of its own where the mechanism is impossible."
+        description="Texts of refusals, by `code` of `errors`: the rest of a sentence that starts"
+        " with the field, or a whole sentence if the mechanism is impossible."
     )
-    places: dict[str, str] = Field(description="Names of what `where` of a refusal says.")
-    notices: dict[str, NoticeWords] = Field(description="Warnings, `code` of `warnings`.")
+    places: dict[str, str] = Field(description="Names of the positions in `where` of a refusal.")
+    notices: dict[str, NoticeWords] = Field(description="Warnings, by `code` of `warnings`.")
     checks: dict[str, CheckWords] = Field(description="Checks, by `code`.")
-    check_groups: dict[str, str] = Field(description="What a check is about, `group`.")
+    check_groups: dict[str, str] = Field(description="Subjects of checks, by `group`.")
     reasons: dict[str, str] = Field(
-        description="Why a check stands as it does, `reason.code`, where nothing else says that."
+        description="Reasons for the status of a check, by `reason.code`, if the code has no text"
+        " elsewhere."
     )
     was: dict[str, dict[str, str]] = Field(
-        description="The code that a code of `errors`, of `warnings` and of `reasons` of checks "
-        "replaces; for one release."
+        description="Former codes, valid for one more release, by the codes of `errors`, of "
+        "`warnings` and of reasons of checks that replace them."
     )
-    sources: dict[str, str] = Field(
-        description="Where a check or a limit comes from, `source_code`."
+    sources: dict[str, str] = Field(description="Sources of checks and limits, by `source_code`.")
+    criteria: dict[str, str] = Field(
+        description="Kinds of damage that a limit of the pressure guards against, by `criterion`."
     )
-    criteria: dict[str, str] = Field(description="What a limit of the pressure is for.")
-    verified: dict[str, str] = Field(description="How the source of a limit was seen.")
-    not_considered: dict[str, str] = Field(description="What a verdict does not look at.")
-    methods: dict[str, str] = Field(description="How numbers were got, `method_code`.")
+    verified: dict[str, str] = Field(
+        description="Ways in which the source of a limit was checked, by `verified`."
+    )
+    not_considered: dict[str, str] = Field(description="Effects that a verdict does not consider.")
+    methods: dict[str, str] = Field(description="Methods of calculation, by `method_code`.")
     worked_values: dict[str, str] = Field(
-        description="Values on the way of worked steps, `code` of `worked`."
+        description="Intermediate values of worked steps, by `code` of `worked`."
     )
-    worked_notes: dict[str, str] = Field(description="`note` and `method` of worked steps.")
-    worked_errata: dict[str, str] = Field(description="`erratum` of worked steps.")
-    worked_sources: dict[str, str] = Field(description="`source` of worked steps.")
-    settings: dict[str, str] = Field(description="Settings of methods, `setting_code`.")
+    worked_notes: dict[str, str] = Field(
+        description="Texts for `note` and `method` of worked steps."
+    )
+    worked_errata: dict[str, str] = Field(description="Texts for `erratum` of worked steps.")
+    worked_sources: dict[str, str] = Field(description="Texts for `source` of worked steps.")
+    settings: dict[str, str] = Field(description="Settings of methods, by `setting_code`.")
     figures: dict[str, str] = Field(
         description="Texts of figures, by the id in `layout.meta.words`; an id that starts with "
-        "`methods.` or `settings.` is one of those."
+        "`methods.` or `settings.` refers to the table of that name."
     )
 
 

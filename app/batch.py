@@ -86,7 +86,7 @@ class BatchRequest(RequestModel):
     ids: Maybe[list[Name]] = Field(
         min_length=1,
         max_length=MAX_REQUESTS,
-        description="A name of each request, which comes back with its answer.",
+        description="Name of each request, returned with its answer.",
     )
 
     def refuse_beyond(self, settings: Settings) -> None:
@@ -103,11 +103,11 @@ class BatchRequest(RequestModel):
 class BatchItem(ResponseModel):
     """Result of one request, or its problem with pointers into that request."""
 
-    index: Maybe[int] = Field(description="Its place, from 0; in lines alone.")
-    id: Maybe[str] = Field(description="Its name, where the batch has `ids`.")
-    result: Maybe[dict[str, Any]] = Field(
-        description="What the calculation's own endpoint answers."
+    index: Maybe[int] = Field(
+        description="Place of the request in the batch, from 0; only in answers by lines."
     )
+    id: Maybe[str] = Field(description="Name of the request, if the batch has `ids`.")
+    result: Maybe[dict[str, Any]] = Field(description="Answer of the calculation's own endpoint.")
     problem: Maybe[ProblemOut] = None
 
 

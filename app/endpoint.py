@@ -89,8 +89,10 @@ Body = TypeVar("Body", bound=RequestModel)
 class FigureOut(BaseModel):
     """Plotly figure, ready for Plotly.js."""
 
-    data: list[dict[str, Any]] = Field(description="Traces.")
-    layout: dict[str, Any] = Field(description="Layout; `meta.words` has the texts by code.")
+    data: list[dict[str, Any]] = Field(description="Traces of the figure, as Plotly.js takes them.")
+    layout: dict[str, Any] = Field(
+        description="Layout of the figure; `meta.words` contains its texts by code."
+    )
 
 
 def route_of(calculation: Calculation, *, drawn: bool = False) -> type[APIRoute]:

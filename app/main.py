@@ -52,19 +52,20 @@ TAGS = [
     {"name": "crank-planetary", "description": "Pins of the output link in holes of satellites."},
     {"name": "rollers", "description": "Swinging rollers of the output mechanism."},
     {"name": "precessional gear", "description": "Precessional gear with a roller wheel."},
-    {"name": "exploration", "description": "What an input has to be for a result."},
+    {"name": "exploration", "description": "Inputs that are solved for a result."},
     {"name": "accuracy", "description": "Error against run time of the methods."},
     {"name": "files", "description": "Parts of a design as files for other programs."},
     {"name": "batch", "description": "Many requests of one calculation."},
-    {"name": "service", "description": "What the service says about itself."},
+    {"name": "service", "description": "Information about the service."},
 ]
 
 DESCRIPTION = """
 Design calculations of K-H-V planetary reducers: cyclogram, contact forces and stresses.
-A quantity's name ends in its unit; plain names are dimensionless. Every answer carries its
+The name of a quantity ends in its unit; plain names are dimensionless. Every answer states its
 accuracy. Errors are problem details (RFC 9457) whose `errors` point to the fields. The schemas say
-which fields exclude each other, and what belongs to a kind; what else a field or a part needs of
-another is refused though a schema admits it, as is what cannot exist.
+which fields exclude each other and which fields belong to a kind. Requests that break other rules
+between fields or parts, or describe impossible mechanisms, are refused even if a schema admits
+them.
 """
 
 

@@ -405,7 +405,9 @@ class WorkedFields(RequestModel):
     """A request that can ask for worked steps."""
 
     include: list[Literal["worked"]] = Field(
-        default=[], max_length=1, description="Optional results: what is not named is not computed."
+        default=[],
+        max_length=1,
+        description="Optional results; only those that are named are computed.",
     )
 
     def to_core(self) -> dict[str, Any]:
@@ -644,14 +646,15 @@ class AccuracyOut(BaseModel):
 
     model_config = ConfigDict(json_schema_extra=_complete_schema)
 
-    method: str = Field(description="How the numbers were got, in English.")
+    method: str = Field(description="Method of calculation, in English.")
     method_code: str = Field(
-        description="The same by code.", json_schema_extra={"enum": [*METHODS]}
+        description="Method of calculation, by code.", json_schema_extra={"enum": [*METHODS]}
     )
     relative_error: float = Field(
-        description="Bound or estimate of the relative error; from 1 on nothing is known."
+        description="Bound or estimate of the relative error; 1 or more means that nothing is "
+        "known."
     )
-    evaluations: int = Field(description="Evaluations of the function behind the method.")
+    evaluations: int = Field(description="Number of evaluations of the method's function.")
     run_time_us: float = Field(description="Run time of the calculation.")
 
 
@@ -680,13 +683,17 @@ class AssumedOut(BaseModel):
     """Important value that was not given."""
 
     pointer: str = Field(description="JSON pointer to the field.")
-    value: float | str | dict[str, Any] = Field(description="What is taken for it.")
+    value: float | str | dict[str, Any] = Field(description="Value that is assumed for the field.")
     low: Maybe[float] = Field(
-        description="Of a material whose sources differ: the least. Checks are judged over all."
+        description="Least value in the sources of a material that disagree; checks are judged "
+        "over the whole range."
     )
-    high: Maybe[float] = Field(description="The largest.")
+    high: Maybe[float] = Field(
+        description="Largest value in the sources of a material that disagree."
+    )
     without: Maybe[dict[str, float]] = Field(
-        description="Of the number of satellites: the peak force of one, by the ideal forces."
+        description="Result without the assumption: for the number of satellites, the peak force "
+        "with one satellite by the ideal forces."
     )
 
 
@@ -695,34 +702,36 @@ class StepOut(BaseModel):
 
     model_config = ConfigDict(json_schema_extra=_complete_schema)
 
-    section: str = Field(description="What of the answer it belongs to.")
+    section: str = Field(description="Section of the answer to which the step belongs.")
     code: str = Field(
-        description="What is worked out: a field of the section, or a value on the way to one; its "
-        "name ends in its unit."
+        description="Quantity that is worked out: a field of the section, or an intermediate "
+        "value; the code ends in its unit."
     )
-    symbol: str = Field(description="How it is called in the formulas of later steps.")
+    symbol: str = Field(description="Name of the quantity in the formulas of later steps.")
     formula: Maybe[str] = Field(
         default=None,
-        description="Infix over `names`: + - * / ^ ( ), sqrt sin cos tan asin acos atan abs min "
-        "max, pi. It holds in SI units, angles in rad.",
+        description="Formula in infix notation over `names`: + - * / ^ ( ), sqrt sin cos tan asin"
+        " acos atan abs min max, pi. It holds in SI units, angles in rad.",
     )
     method: Maybe[str] = Field(
         default=None,
-        description="How it was got in the place of a formula, by code: what is searched, solved, "
-        "counted or given.",
+        description="Way in which the value was obtained if there is no formula, by code: "
+        "searched, solved, counted or given.",
     )
     names: dict[str, str] = Field(
-        description="What each name of the formula is, with its unit at its end."
+        description="Quantity behind each name of the formula, with its unit at the end."
     )
-    values: dict[str, float] = Field(description="Its value, in that unit.")
-    result: float = Field(description="The result, in `unit`.")
+    values: dict[str, float] = Field(
+        description="Value of each name of the formula, in the unit of the quantity."
+    )
+    result: float = Field(description="Result of the step, in `unit`.")
     unit: str = Field(description="Unit of the result as shown; empty for plain numbers.")
-    source: Maybe[str] = Field(default=None, description="Where the formula stands, by code.")
-    equation: Maybe[str] = Field(default=None, description="Number of its equation there.")
-    erratum: Maybe[str] = Field(default=None, description="What the print has wrong, by code.")
-    note: Maybe[str] = Field(default=None, description="What is to be known of it, by code.")
+    source: Maybe[str] = Field(default=None, description="Source of the formula, by code.")
+    equation: Maybe[str] = Field(default=None, description="Number of the equation in the source.")
+    erratum: Maybe[str] = Field(default=None, description="Misprint in the source, by code.")
+    note: Maybe[str] = Field(default=None, description="Note on the step, by code.")
     params: Maybe[dict[str, Any]] = Field(
-        default=None, description="What the text of `note` or `method` names."
+        default=None, description="Names and numbers in the text of `note` or `method`."
     )
 
 
@@ -730,8 +739,8 @@ def worked_steps() -> Any:
     """Field of an answer with its worked steps."""
     return Field(
         default=None,
-        description="How its numbers follow from each other, where asked; words by code are in "
-        "`GET /words`.",
+        description="Worked steps: derivation of the numbers from each other, if requested; "
+        "`GET /words` contains the texts by code.",
     )
 
 
@@ -743,7 +752,10 @@ class WorkedResponse(ResponseModel):
 
 def assumptions() -> Any:
     """Field of an answer with its assumptions."""
-    return Field(description="What was not given and decides; absent where all was.")
+    return Field(
+        description="Values that were not given and decide about the answer; absent if all "
+        "were given."
+    )
 
 
 class AssumingResponse(WorkedResponse):
@@ -763,15 +775,15 @@ def notices_of(*results: Any) -> tuple[Notice, ...]:
     return tuple(found)
 
 
-REPLACED = "The code that this one replaces; for one release."
+REPLACED = "Former code that this code replaces, given for one release."
 
 
 class WarningOut(BaseModel):
     """Limit of validity that the result strains; the number is given all the same."""
 
-    code: str = Field(description="Which limit.", json_schema_extra={"enum": [*WARNINGS]})
-    params: dict[str, Any] = Field(description="What the text names: numbers and fields.")
-    detail: str = Field(description="The same in English.")
+    code: str = Field(description="Code of the warning.", json_schema_extra={"enum": [*WARNINGS]})
+    params: dict[str, Any] = Field(description="Names and numbers in the text of the warning.")
+    detail: str = Field(description="Text of the warning, in English.")
     was: Maybe[str] = Field(default=None, description=REPLACED)
 
 

@@ -183,13 +183,19 @@ class FieldProblem:
     pointer: Annotated[str, Field(description="JSON pointer to the field; empty for the body.")]
     code: Annotated[
         str,
-        Field(description="What is wrong.", json_schema_extra=cast(Any, {"enum": sorted(TEXTS)})),
+        Field(
+            description="Code of the problem.", json_schema_extra=cast(Any, {"enum": sorted(TEXTS)})
+        ),
     ]
     params: Annotated[
-        dict[str, Any], Field(description="What the text names: limits, numbers, fields.")
+        dict[str, Any], Field(description="Limits, numbers and fields in the text of the problem.")
     ]
     detail: Annotated[
-        str, Field(description="The same in English: a sentence that starts with the field.")
+        str,
+        Field(
+            description="Text of the problem in English: the rest of a sentence that starts with "
+            "the field."
+        ),
     ]
     was: Annotated[Maybe[str], Field(description=REPLACED)] = None
 
@@ -268,12 +274,12 @@ class Problem(Exception):
 class ProblemOut(BaseModel):
     """Refusal (RFC 9457); its type opens a page that explains it."""
 
-    type: str = Field(description="Address of what is said about refusals of this kind.")
-    title: str = Field(description="The kind, in English.")
+    type: str = Field(description="Address of the explanation of this kind of problem.")
+    title: str = Field(description="Kind of problem, in English.")
     status: int = Field(description="HTTP status.")
-    detail: str = Field(description="What is wrong, in English.")
+    detail: str = Field(description="Description of the problem, in English.")
     errors: list[FieldProblem] = Field(description=f"The wrong fields, {MAX_ERRORS} at most.")
-    more: int = Field(default=0, description="How many fields besides are wrong.")
+    more: int = Field(default=0, description="Number of further fields with problems.")
     where: dict[str, float] = Field(
         default_factory=dict, description="Position at which the mechanism cannot work."
     )

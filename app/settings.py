@@ -52,53 +52,53 @@ class Settings(BaseSettings):
     )
 
     host: str = "127.0.0.1"
-    """address that is listened at"""
+    """address on which the service listens"""
     port: int = Field(8000, ge=0, le=65_535)
-    """its port; 0 for any"""
+    """port on which the service listens; 0 for any"""
     unix_socket: str = ""
-    """path of a Unix socket, which is listened at instead"""
+    """path of a Unix socket on which the service listens instead"""
     workers: int = Field(1, ge=1, le=256)
     """processes that answer requests"""
     root_path: str = Field("", pattern=r"^(/\.*[A-Za-z0-9_~-][A-Za-z0-9._~-]*)*$")
     """path prefix at which a proxy shows the service, such as `/reducers`"""
     trusted_proxies: Annotated[tuple[Address, ...], *BY_COMMAS] = ()
-    """networks of proxies whose `X-Forwarded-For` is believed; over a Unix socket all are"""
+    """networks of proxies whose `X-Forwarded-For` is trusted; over a Unix socket all are"""
     max_body_bytes: Bytes = 262_144
     """largest request body; 500 rollers take 60,000"""
     max_batch_bytes: Bytes = 1_048_576
     """largest body of a batch"""
     max_pairs: int = Field(10_000, ge=1, le=10_000)
-    """most pins times satellites"""
+    """largest number of pins times satellites"""
     max_curve_samples: int = Field(10_001, ge=2, le=10_001)
-    """most crank angles of a curve"""
+    """largest number of crank angles of a curve"""
     max_batch: int = Field(1_000, ge=1, le=1_000)
-    """most requests in one batch"""
+    """largest number of requests in one batch"""
     max_seconds: Seconds = 10.0
     """longest calculation, without waiting for a process, s"""
     max_study_seconds: Seconds = 60.0
     """longest study that is sent with its progress, s"""
     processes: int = Field(0, ge=0, le=256)
-    """processes for long calculations, a worker; 0: one a processor"""
+    """processes for long calculations per worker; 0: one per processor"""
     max_waiting: int = Field(64, ge=1, le=100_000)
-    """long calculations that wait for a process, a worker"""
+    """long calculations that may wait for a process, per worker"""
     max_large: int = Field(12, ge=1, le=10_000)
-    """batches, bodies above 16 kB and answers above 256 kB at once, a worker"""
+    """simultaneous batches, bodies above 16 kB and answers above 256 kB, per worker"""
     max_connections: int = Field(1_000, ge=1, le=1_000_000)
-    """open connections, a worker"""
+    """open connections per worker"""
     receive_seconds: Seconds = 10.0
     """longest time to send a body, or to take 256 kB of an answer, s"""
     keep_alive_seconds: WholeSeconds = 5
-    """how long an idle connection is kept, whole s"""
+    """time for which an idle connection is kept, whole s"""
     stop_seconds: WholeSeconds = 30
-    """how long a stopping worker waits for answers, whole s"""
+    """time for which a stopping worker waits for answers, whole s"""
     dask: str = Field("", pattern=r"^(tcp|tls)://[^\s/]+:\d+$|^$")
     """scheduler of a Dask cluster that calculates studies, such as `tcp://10.0.0.5:8786`"""
     cors_origins: Annotated[tuple[Origin, ...], *BY_COMMAS] = ()
-    """origins of other sites that may ask, by commas"""
+    """origins of other sites that may send requests, separated by commas"""
     log_level: Annotated[Literal["DEBUG", "INFO", "WARNING", "ERROR"], UPPER] = "INFO"
-    """`WARNING` leaves out the lines of requests"""
+    """level of the log; `WARNING` leaves out the lines of requests"""
     build: str = Field("", pattern=r"^[A-Za-z0-9._+-]*$")
-    """which build of a version it is"""
+    """build of the version"""
 
     @classmethod
     def from_environment(cls) -> Self:

@@ -1,4 +1,4 @@
-"""What holds for all tests: a busy machine is no reason to fail; what is slow can be left out."""
+"""Settings of all tests: a busy machine is no reason to fail; slow tests can be left out."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -78,7 +78,7 @@ def served() -> Iterator[Service]:
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_testnodedown(node: Any) -> None:
-    """What a worker's tests have started ends with it, also where a test that hung ended it."""
+    """End the processes that a worker's tests started when the worker ends, even by a hung test."""
     end_those_of(node.workerinput["workerid"], node.workerinput["testrunuid"])
 
 

@@ -78,7 +78,7 @@ class Service:
         return sum(message in line for line in [*self.lines])
 
     def _address(self):
-        """Where it listens, as its log says."""
+        """Address of the service, from its log."""
         assert self.process.poll() is None, "".join(self.lines)
         found = re.search(r"running on (?:(http://[\d.:]+)|unix)", "".join(self.lines))
         return found and (found[1] or "http://service")
@@ -111,7 +111,7 @@ def family(pid: int) -> list[int]:
 
 
 def lives(pid: int) -> bool:
-    """Whether a process still runs; one that nobody has buried does not."""
+    """True if a process still runs; a zombie does not count."""
     try:
         with open(f"/proc/{pid}/stat") as stat:
             return stat.read().rsplit(")", 1)[1].split()[0] != "Z"
@@ -131,8 +131,8 @@ def calculators(pid: int) -> set[int]:
 
 @contextmanager
 def nothing_is_calculated(service: Service, processes: int) -> Iterator[Callable[[], None]]:
-    """What is long in a service, which has so many processes for it, waits until what this gives is
-    called.
+    """Make long calculations of a service with this number of processes wait until the returned
+    function is called.
     """
     assert eventually(lambda: len(calculators(service.process.pid)) == processes)
     stopped = calculators(service.process.pid)
@@ -150,7 +150,7 @@ def nothing_is_calculated(service: Service, processes: int) -> Iterator[Callable
 
 
 def eventually(holds: Callable[[], bool]) -> bool:
-    """Whether it holds within a minute."""
+    """True if the condition holds within a minute."""
     for _ in range(600):
         if holds():
             return True

@@ -74,9 +74,9 @@ class SeriesCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):
     kind: Literal["rigid", "elastic", "shares", "ring"] = quantity(  # type: ignore[assignment]
         "Coupling of the satellites", default="rigid"
     )
-    """Rigid: all turn as one; elastic: each gives in its mesh with the ring; shares: each carries a
-    given share; ring: each finds its place between the ring of `gear` and the pins, so that both
-    meshes are in series."""
+    """Rigid: all satellites turn as one; elastic: each satellite gives in its mesh with the ring;
+    shares: each satellite carries a given share; ring: each satellite finds its place between the
+    ring of `gear` and the pins, so that both meshes are in series."""
 
 
 class DesignCouplingFields(SeriesCouplingFields, group="satellite_coupling"):
@@ -236,8 +236,8 @@ class RingPartOut(ResponseModel):
     BESIDE = ("crank_load_N",)
 
     rotation_arcmin: list[float] = result(
-        "Lag of the holes of each disc behind their ideal angle: what the teeth make of the lag of "
-        "the output; the rest is that of the pins.",
+        "Lag of each disc's holes behind their ideal angle: the part of the output's lag that "
+        "the teeth cause. The rest is the lag of the pins.",
         symbol="λ_j",
     )
     force_N: list[list[float]] = result(
@@ -253,15 +253,15 @@ class RingPartOut(ResponseModel):
         "Force of the ring on each disc along its crank, to the axis."
     )
     crank_load_N: list[float] = result(
-        "Force of the ring and of the pins together on each crank, in size."
+        "Magnitude of the resultant force of ring and pins on each crank."
     )
     loaded_pairs: int = result("Number of pairs with a force.")
     max_pressure_MPa: Maybe[float] = result(
         "Largest Hertz pressure of the pairs.", symbol="p_0", equation="Johnson 4.2"
     )
     play_arcmin: list[list[float]] = result(
-        "From where to where each disc can turn in the ring alone; where its pins press, twice the "
-        "lag at which they do not turn it.",
+        "Angles between which each disc can turn in the ring alone; if its pins press without "
+        "load, twice the lag at which they exert no torque on it.",
         symbol="λ₋, λ₊",
     )
 
@@ -271,9 +271,10 @@ class RingTurnOut(ResponseModel):
 
     peak_force_N: float = result("Largest force of a pin of the ring.", symbol="F_max")
     peak_crank_angle_deg: float = result(
-        "Crank angle at which it occurs, of all turns; of equal peaks any.", symbol="φ"
+        "Crank angle of the largest force, of all turns; any of them if several peaks are equal.",
+        symbol="φ",
     )
-    peak_pair: PairOut = result("The satellite, and the pin of the ring that carries it there.")
+    peak_pair: PairOut = result("Satellite and ring pin with the largest force.")
     max_pressure_MPa: Maybe[float] = result(
         "Largest Hertz pressure.", symbol="p_0", equation="Johnson 4.2"
     )

@@ -52,16 +52,17 @@ class RequirementsFields(RequestModel, group="requirements"):
     """Limits that a design has to keep; a limit that is not given is not checked."""
 
     pitting_safety: Safety = quantity("Safety against pitting", "S_H", default=1.2, step=0.1)
-    """Limit of the contact pressure over the pressure; a ratio of pressures."""
+    """Safety factor against pitting: limit of the contact pressure over the contact pressure. The
+    factor is a ratio of pressures, not of loads."""
     bending_safety: Safety = quantity("Safety against bending", "S_F", default=1.5, step=0.1)
-    """Yield strength over bending stress."""
+    """Safety factor in bending: yield strength over bending stress."""
     fatigue_safety: Safety = quantity("Safety in fatigue", "S_D", default=1.5, step=0.1)
     """Factor by which all stresses of a part may grow before it breaks by fatigue."""
     static_safety: Maybe[Safety] = quantity("Static safety of bearings", "S_0", step=0.1)
-    """Static load rating of a bearing over its largest load; 1 for balls, 1.5 for rollers where it
+    """Static load rating of a bearing over its largest load; 1 for balls and 1.5 for rollers if it
     is not given."""
     life_h: Maybe[Size] = quantity("Life", "L", step=500)
-    """Time that the reducer has to last; 5,000 h, of plastics 500 h, where it is not given."""
+    """Required life of the reducer; 5,000 h, or 500 h for plastics, if it is not given."""
     min_wall_mm: Maybe[Size] = quantity("Least wall", "w", step=0.5)
     """Least wall between holes, to the rim and to the bore."""
     max_backlash_arcmin: Maybe[Size] = quantity("Largest backlash", "Δφ_b", step=0.5)
@@ -75,16 +76,15 @@ class RequirementsFields(RequestModel, group="requirements"):
     max_transmission_error_arcmin: Maybe[Size] = quantity(
         "Largest transmission error of the teeth", "TE_max", step=0.1
     )
-    """Largest less least lag of the output over the turn under the torque, by the teeth alone; of
-    both meshes where they are in series.
-    """
+    """Largest lag of the output less its least lag over the turn under the torque, by the teeth
+    alone, or by both meshes if they are in series."""
     max_deflection_mm: Maybe[Size] = quantity("Largest deflection", "Δ_max", step=0.01)
     """Largest deflection of the shaft at its bearings, or of the pins in the satellites."""
     max_slope_mrad: Maybe[Size] = quantity("Largest slope", "θ_max", step=0.1)
     """Largest slope of the shaft in its bearings, or of the pins in the satellites."""
     min_efficiency: Maybe[float] = quantity("Least efficiency", "η_min", step=0.01, ge=1e-3, lt=1)
-    """Least mean efficiency of the output mechanism, with the ring where friction on its pins is
-    given."""
+    """Least mean efficiency of the output mechanism; the ring is included if its friction
+    coefficient is given."""
     min_ring_efficiency: Maybe[float] = quantity(
         "Least efficiency of the teeth", "η_min", step=0.01, ge=1e-3, lt=1
     )
@@ -92,7 +92,7 @@ class RequirementsFields(RequestModel, group="requirements"):
     max_seat_pressure_MPa: Maybe[Size] = quantity(
         "Largest pressure of the ring's seats", "p_all", step=10
     )
-    """Largest pressure of the ring's pins in half bores, on the area that they cover."""
+    """Largest pressure of the ring pins in half bores, on the projected area."""
     max_wear_mm: Maybe[Size] = quantity("Largest wear", "h_max", step=0.01)
     """Largest depth of wear of pin or hole at the end of the life."""
     max_pv_MPa_m_per_s: Maybe[Size] = quantity("Largest pv", "(pv)_all", step=0.1)
@@ -102,16 +102,18 @@ class RequirementsFields(RequestModel, group="requirements"):
     max_outer_diameter_mm: Maybe[Size] = quantity("Largest diameter", "D_max", step=5)
     """Largest diameter of the space in which the satellites move."""
     max_unbalance_N: Maybe[Size] = quantity("Largest unbalanced force", "F_U", step=10)
-    """Largest force of what turns with the crankshaft and is not balanced."""
+    """Largest unbalanced centrifugal force of the parts that turn with the crankshaft."""
     max_unbalance_couple_Nm: Maybe[Size] = quantity("Largest unbalanced couple", "M_U", step=0.1)
-    """Largest couple of the same, about the middle of the bearings."""
+    """Largest unbalanced couple of the parts that turn with the crankshaft, about the middle of the
+    bearings."""
     max_unbalance_share: Maybe[float] = quantity(
         "Largest share of unbalance", step=0.05, gt=0, le=1e6
     )
-    """Largest force of it on a bearing of the crankshaft, over the most that the mechanism does."""
+    """Largest reaction of a crankshaft bearing to the unbalance, over the largest reaction to the
+    forces of the mechanism."""
     balance_grade_mm_per_s: Maybe[Size] = quantity("Balance grade", "G", step=0.5)
-    """Largest speed of the centre of what turns about the axis, as G of ISO 21940-11; where nothing
-    is asked, 16 is a guide."""
+    """Balance grade G of ISO 21940-11: largest speed of the rotor's centre of mass about the axis.
+    The usual value is 16."""
 
     def section(self, _: Any) -> Requirements:
         """Requirements in SI units."""
@@ -123,10 +125,12 @@ class JudgedFields(RequestModel):
 
     requirements: RequirementsFields = Field(default_factory=RequirementsFields)
     include: list[Literal["checks", "fixes", "worked"]] = Field(
-        default=[], max_length=3, description="Optional results: what is not named is not computed."
+        default=[],
+        max_length=3,
+        description="Optional results; only those that are named are computed.",
     )
     fixes_for: FixesFor = Field(
-        default="governing", description="Which checks the section fixes is to cure."
+        default="governing", description="Checks that the section `fixes` has to cure."
     )
 
     def to_core(self) -> dict[str, Any]:
@@ -144,7 +148,7 @@ class ScopedRequirementsFields(RequirementsFields, group="requirements"):
     scope: list[PartName] = quantity(
         "Parts that are judged", default=[*PART_NAMES], min_length=1, max_length=len(PART_NAMES)
     )
-    """Others are left out: no check of them is made, and the verdict says nothing of them."""
+    """Parts of the reducer to judge. Other parts have no checks and are not in the verdict."""
 
     def section(self, _: Any) -> Requirements:
         """Requirements in SI units."""
@@ -155,117 +159,132 @@ class ScopedRequirementsFields(RequirementsFields, group="requirements"):
 class ReasonOut(ResponseModel):
     """Reason for a status."""
 
-    code: str = Field(description="By code.", json_schema_extra={"enum": [*CODES]})
-    detail: str = Field(description="The same in English.")
+    code: str = Field(description="Reason, by code.", json_schema_extra={"enum": [*CODES]})
+    detail: str = Field(description="Reason, in English.")
     pointer: Maybe[str] = Field(
-        description="JSON pointer to the field that it is about, where it is one."
+        description="JSON pointer to the field that the reason concerns, if it concerns one field."
     )
-    params: Maybe[dict[str, Any]] = Field(description="What the text names.")
+    params: Maybe[dict[str, Any]] = Field(
+        description="Names and numbers in the text of the reason."
+    )
     was: Maybe[str] = Field(description=REPLACED)
 
 
 class PlaceOut(ResponseModel):
     """Place of a value."""
 
-    satellite: Maybe[int] = result("Satellite.")
-    bearing: Maybe[int] = result("Bearing of the crankshaft: 1 or 2.")
-    pin: Maybe[int] = result("Pin.")
+    satellite: Maybe[int] = result("Number of the satellite, from 1.")
+    bearing: Maybe[int] = result("Number of the crankshaft bearing, 1 or 2.")
+    pin: Maybe[int] = result("Number of the pin, from 1.")
     crank_angle_deg: Maybe[float] = result("Crank angle.")
     section: Maybe[Literal["root", "ring"]] = result(
-        "End of a pin that a tie ring joins to the others: at the carrier, or at the ring."
+        "End of a pin with a tie ring: at the carrier (root) or at the tie ring (ring)."
     )
 
 
 class CheckOut(ResponseModel):
     """One check: compared values, status and reason."""
 
-    code: str = Field(description="Which check.", json_schema_extra={"enum": [*CHECKS]})
+    code: str = Field(description="Code of the check.", json_schema_extra={"enum": [*CHECKS]})
     was: Maybe[str] = Field(description=REPLACED)
-    title: str = Field(description="What it is, in English.")
-    group: str = Field(description="What it is about.", json_schema_extra={"enum": [*GROUPS]})
-    status: Status = Field(description="How it went.")
+    title: str = Field(description="Title of the check, in English.")
+    group: str = Field(description="Subject of the check.", json_schema_extra={"enum": [*GROUPS]})
+    status: Status = Field(description="Result of the check.")
     needed: Maybe[bool] = Field(
-        description="Present and false where its part is judged without it: what few can know, or "
-        "no source gives."
+        description="False if the part is judged without this check, as its input is seldom known"
+        " or has no source; absent otherwise."
     )
     impossible: Maybe[bool] = Field(
-        description="Present and true where the mechanism cannot exist or move so."
+        description="True if the mechanism cannot exist or move in this way; absent otherwise."
     )
-    value: Maybe[float] = Field(description="What is compared, in `unit`.")
-    limit: Maybe[float] = Field(description="Its limit, in `unit`, with the required safety in it.")
-    unit: str = Field(description="Unit of both as shown; empty for plain numbers.")
-    keep: Literal["below", "above"] = Field(description="Where the value has to stay.")
-    utilisation: Maybe[float] = Field(description="How much of the limit is used, 1 at the limit.")
-    margin: Maybe[float] = Field(description="What is left to the limit, in `unit`.")
+    value: Maybe[float] = Field(description="Value that is compared with the limit, in `unit`.")
+    limit: Maybe[float] = Field(
+        description="Limit of the value, in `unit`, with the required safety included."
+    )
+    unit: str = Field(description="Unit of value and limit as shown; empty for plain numbers.")
+    keep: Literal["below", "above"] = Field(
+        description="Side of the limit on which the value has to stay."
+    )
+    utilisation: Maybe[float] = Field(description="Utilised part of the limit; 1 at the limit.")
+    margin: Maybe[float] = Field(description="Distance of the value from the limit, in `unit`.")
     torque_reserve: Maybe[float] = Field(
-        description="Factor on the torque at which the value is at its limit, where it follows "
-        "from the value; where forces are solved that of the check alone that fails first, with "
-        "`largest_torque`.",
+        description="Factor on the torque at which the value reaches its limit, if it follows "
+        "from the value; if forces are solved, only the check that fails first has "
+        "one, with `largest_torque`.",
     )
-    formula: str = Field(description="What has to hold.")
-    why: str = Field(description="What is wrong where it does not, in English.")
+    formula: str = Field(description="Condition that has to hold.")
+    why: str = Field(description="Consequence if the condition does not hold, in English.")
     reason: Maybe[ReasonOut]
-    source: str = Field(description="Where limit or formula come from, in English.")
-    source_code: str = Field(description="The same by code.")
-    criterion: Maybe[Criterion] = Field(description="What a material's limit guards against.")
-    verified: Maybe[Verified] = Field(description="How a material's limit was seen.")
+    source: str = Field(description="Source of the limit or the formula, in English.")
+    source_code: str = Field(description="Source of the limit or the formula, by code.")
+    criterion: Maybe[Criterion] = Field(
+        description="Kind of damage that a material's limit guards against."
+    )
+    verified: Maybe[Verified] = Field(
+        description="Way in which the source of a material's limit was checked."
+    )
     life_factor: Maybe[float] = Field(
-        description="Factor of the loads over the life that is in a material's limit; absent where "
-        "none is known.",
+        description="Life factor contained in a material's limit, for the number of loads; absent"
+        " if no curve is known.",
     )
     at: Maybe[PlaceOut]
-    inputs: list[str] = Field(description="JSON pointers to what it depends on.")
-    missing: Maybe[list[str]] = Field(description="JSON pointers to what would have to be given.")
+    inputs: list[str] = Field(description="JSON pointers to the inputs on which the check depends.")
+    missing: Maybe[list[str]] = Field(
+        description="JSON pointers to the inputs that the check lacks."
+    )
 
 
 class PartOut(ResponseModel):
     """Verdict of a part of the reducer."""
 
-    code: str = Field(description="Which part.", json_schema_extra={"enum": [*PARTS]})
-    title: str = Field(description="The same in English.")
+    code: str = Field(description="Code of the part.", json_schema_extra={"enum": [*PARTS]})
+    title: str = Field(description="Title of the part, in English.")
     status: PartStatus = Field(
-        description="`fail` where one of its checks fails, else `open` where what it needs is not "
-        "known, else `marginal` or `pass`; `left_out` where `requirements.scope` leaves it out, "
-        "`not_asked` where nobody asks for it."
+        description="`fail` if a check of the part fails, else `open` if an input that the part "
+        "needs is not known, else `marginal` or `pass`; `left_out` if the part is not"
+        " in `requirements.scope`, `not_asked` if no limit is requested."
     )
     governing: Maybe[str] = Field(
-        description="Its check that decides, of those that are made.",
+        description="Check that decides, of those that are made of the part.",
         json_schema_extra={"enum": [*CHECKS]},
     )
     reason: Maybe[str] = Field(
-        description="Why it is open, by code.", json_schema_extra={"enum": [*CODES]}
+        description="Reason why the part is open, by code.", json_schema_extra={"enum": [*CODES]}
     )
-    detail: Maybe[str] = Field(description="The same in English.")
-    missing: Maybe[list[str]] = Field(description="JSON pointers to what would have to be given.")
+    detail: Maybe[str] = Field(description="Reason why the part is open, in English.")
+    missing: Maybe[list[str]] = Field(
+        description="JSON pointers to the inputs that the part lacks."
+    )
 
 
 class SideEffectOut(ResponseModel):
     """Effect of a fix on another check."""
 
-    code: str = Field(description="Which check.")
-    status_from: Status = Field(description="Its status without the fix.")
-    status_to: Status = Field(description="With it.")
-    utilisation_from: Maybe[float] = Field(description="Its utilisation without.")
-    utilisation_to: Maybe[float] = Field(description="With it.")
+    code: str = Field(description="Code of the check that changes.")
+    status_from: Status = Field(description="Status of the check without the fix.")
+    status_to: Status = Field(description="Status of the check with the fix.")
+    utilisation_from: Maybe[float] = Field(description="Utilisation of the check without the fix.")
+    utilisation_to: Maybe[float] = Field(description="Utilisation of the check with the fix.")
 
 
 class FixOut(ResponseModel):
     """One input changed so that a check passes."""
 
-    code: str = Field(description="The check that it cures.")
-    pointer: str = Field(description="JSON pointer to the input.")
-    title: str = Field(description="Its name in English.")
-    unit: str = Field(description="Its unit as shown.")
-    before: float | str = Field(alias="from", description="Its value now.")
+    code: str = Field(description="Code of the check that the fix cures.")
+    pointer: str = Field(description="JSON pointer to the input that is changed.")
+    title: str = Field(description="Name of the input, in English.")
+    unit: str = Field(description="Unit of the input as shown.")
+    before: float | str = Field(alias="from", description="Present value of the input.")
     to: float | str = Field(
-        description="Its value with the fix, rounded to the safe side; a name where one is chosen."
+        description="Value of the input with the fix, rounded to the safe side, or a name if the "
+        "input is a choice."
     )
-    exact: Maybe[float] = Field(description="The value before rounding; of one that is solved.")
-    change: Maybe[float] = Field(description="Relative change; of a value that is solved.")
+    exact: Maybe[float] = Field(description="Value before rounding, if it is solved for.")
+    change: Maybe[float] = Field(description="Relative change of the value, if it is solved for.")
     standard: Maybe[str] = Field(description="Standard that has a part of this size.")
-    sets: dict[str, float | str] = Field(description="All that it sets, by JSON pointer.")
-    status: FixStatus = Field(description="Whether it cures the check.")
-    verdict: Outcome = Field(description="Of the whole design with it.")
+    sets: dict[str, float | str] = Field(description="Values that the fix sets, by JSON pointer.")
+    status: FixStatus = Field(description="Status that says if the fix cures the check.")
+    verdict: Outcome = Field(description="Verdict of the whole design with the fix.")
     side_effects: list[SideEffectOut] = Field(description="Other checks that change.")
 
 
@@ -275,37 +294,39 @@ class JudgedResponse(AssumingResponse):
     BESIDE = ("fixes",)
 
     verdict: Maybe[Outcome] = Field(
-        description="`fail` where a check fails, else `incomplete` where one could not be made, or "
-        "none is of what the load could break, else `marginal`, else `pass`; of a reducer with "
-        "`parts`, of these, `incomplete` where one is open. Says nothing of what is "
-        "`not_considered`. It is there, and all that belongs to it, unless `include` names other "
-        "sections alone."
+        description="`fail` if a check fails, else `incomplete` if a check could not be made or "
+        "no check concerns strength under the load, else `marginal`, else `pass`. A "
+        "reducer with `parts` has the verdict of its parts, `incomplete` if a part is"
+        " open. The verdict says nothing about `not_considered`. Verdict and checks "
+        "are left out if `include` names only other sections."
     )
     governing: Maybe[str] = Field(
-        description="The check that decides.", json_schema_extra={"enum": [*CHECKS]}
+        description="Code of the check that decides.", json_schema_extra={"enum": [*CHECKS]}
     )
     torque_reserve: Maybe[float] = Field(
-        description="Factor on the torque at which the first check fails; of a reducer with "
-        "`largest_torque`: where forces are solved the largest that was looked at and holds, with "
-        "one that fails at most 1 % above, 5 % beside a jump; absent where none is found."
+        description="Factor on the torque at which the first check fails. A reducer has it with "
+        "`largest_torque`: if forces are solved, it is the largest factor that was "
+        "examined and holds, with a failing one at most 1 % above, or 5 % beside a "
+        "jump. The factor is absent if none is found."
     )
     largest_torque_Nm: Maybe[float] = Field(
-        description="The torque times `torque_reserve`; absent where less torque cures nothing, or "
-        "something is not known; of a reducer the least over `largest_torque_of`, as far as these "
-        "are judged, and absent while the clearance is not known.",
+        description="Torque times `torque_reserve`; absent if less torque cures nothing or an "
+        "input is not known. The value of a reducer is the least over "
+        "`largest_torque_of`, as far as these parts are judged, and is absent while "
+        "the clearance is not known.",
     )
     counts: Maybe[dict[str, int]] = Field(description=f"Checks by status: {', '.join(STATUSES)}.")
     not_considered: Maybe[list[str]] = Field(
-        description="What the verdict does not look at: "
+        description="Effects and parts that the verdict does not consider: "
         + "; ".join(f"`{code}`, {text}" for code, text in NOT_CONSIDERED.items())
         + "."
     )
     checks: Maybe[list[CheckOut]] = Field(
-        description="All checks, the one that decides first, where asked."
+        description="All checks, the deciding one first, if requested."
     )
     fixes: Maybe[list[FixOut]] = Field(
-        description="What cures the governing check, or all that fail, where asked; empty where no "
-        "change of a value that can be offered does."
+        description="Changes that cure the governing check, or all that fail, if requested; empty"
+        " if no change of a value that can be offered does so."
     )
 
 

@@ -36,12 +36,14 @@ CHEAP = (
 class CombinedOut(ResponseModel):
     """Inputs changed one after the other, each for the check that governs at that step."""
 
-    sets: dict[str, float | str] = Field(description="All that they set, by JSON pointer.")
-    steps: list[FixOut] = Field(
-        description="The changes in their order: each is of the design with those before it, and "
-        "says the verdict that is reached with it."
+    sets: dict[str, float | str] = Field(
+        description="Values that all changes set, by JSON pointer."
     )
-    verdict: Outcome = Field(description="Of the whole design with all of them.")
+    steps: list[FixOut] = Field(
+        description="Changes in their order; each applies to the design with those before it and "
+        "states the verdict that is reached."
+    )
+    verdict: Outcome = Field(description="Verdict of the whole design with all changes.")
 
 
 def combined(request: Any, verdict: Verdict, fixes: list[Fix]) -> Values | None:

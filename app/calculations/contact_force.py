@@ -52,7 +52,9 @@ class ContactForceRequest(MechanismFields, LoadFields):
         return force_of_one(self, self)
 
     include: list[RequestSection] = Field(  # type: ignore[assignment]
-        default=[], max_length=4, description="Optional results: what is not named is not computed."
+        default=[],
+        max_length=4,
+        description="Optional results; only those that are named are computed.",
     )
 
     def solve(self) -> ContactForce:

@@ -33,19 +33,20 @@ class LawFields(RequestModel, group="contact_law"):
     }
 
     kind: Maybe[Kind] = quantity("Law of contact")
-    """Hertz: line contact with its logarithm; conformal: the hole wraps around the pin, its
-    approach counted to three hole radii; Palmgren: rollers of steel; linear; power. Where not
-    given, conformal with a body below 20 GPa, else Hertz."""
+    """Hertz: line contact with a logarithmic approach; conformal: the hole wraps around the pin,
+    and its approach is counted to a depth of three hole radii; Palmgren: steel rollers; linear;
+    power. The default is conformal if a body is softer than 20 GPa, else Hertz."""
     reference_depth_mm: Maybe[Size] = quantity("Reference depth", "t", step=1, advanced=True)
-    """Depth to which Hertz counts the approach of the hole; the hole's radius where not given."""
+    """Depth to which the Hertz law counts the approach of the hole; the hole's radius if not
+    given."""
     stiffness_N_per_mm: Maybe[Size] = quantity("Contact stiffness", "k", step=1000)
-    """Stiffness of a pair, for the linear law."""
+    """Stiffness of a pair of pin and hole, for the linear law."""
     exponent: Maybe[float] = quantity("Exponent", "n", step=0.1, ge=MIN_EXPONENT, le=MAX_EXPONENT)
-    """Force ∝ approachⁿ, for the power law."""
+    """Exponent n of the power law, force ∝ approachⁿ."""
     reference_force_N: Maybe[Size] = quantity("Reference force", "F_ref", step=100)
-    """A force whose approach is known, for the power law."""
+    """Force at which the approach of a pair is known, for the power law."""
     reference_approach_mm: Maybe[Size] = quantity("Reference approach", "δ_ref", step=0.001)
-    """The approach under the reference force."""
+    """Approach of a pair under the reference force, for the power law."""
 
     def named(self) -> ContactLaw | None:
         """Law in SI units; None if no law is named."""
@@ -92,10 +93,10 @@ class MeshLawFields(LawFields, PartFields, group="contact_law"):
     }
 
     kind: Maybe[Literal["hertz", "palmgren", "linear", "power"]] = quantity("Law of contact")
-    """Hertz: line contact with its logarithm; Palmgren: rollers of steel; linear; power. Where not
-    given, Hertz."""
+    """Hertz: line contact with a logarithmic approach; Palmgren: steel rollers; linear; power. The
+    default is Hertz."""
     reference_depth_mm: Maybe[Size] = quantity("Reference depth", "t", step=1, advanced=True)
-    """Depth to which Hertz counts the approach of pin and disc; the pin's radius where not
+    """Depth to which the Hertz law counts the approach of pin and disc; the pin's radius if not
     given."""
 
     def section(self) -> ContactLaw | None:

@@ -43,9 +43,11 @@ class ContactLineRequest(GearFields, group="load"):
     """Mesh whose contact lines are requested."""
 
     torque_sign: Maybe[Literal[-1, 1]] = quantity("Sign of the torque")
-    """Chooses the loaded flank of rollers whose limits are given in z."""
+    """Sign of the torque, which chooses the loaded flank of rollers whose limits are given in z."""
     include: list[Literal["points", "worked"]] = Field(
-        default=[], max_length=2, description="Optional results: what is not named is not computed."
+        default=[],
+        max_length=2,
+        description="Optional results; only those that are named are computed.",
     )
     samples: Whole = quantity(
         "Samples", group="rollers", default=61, step=1, advanced=True, ge=2, le=10_001
@@ -86,7 +88,7 @@ class PointsOut(ResponseModel):
     """Points of a contact line: developed on the roller (z over x) and in space."""
 
     z_mm: list[float] = result(
-        "Along the axis of the wheel, from the centre of precession.",
+        "Coordinate along the axis of the wheel, from the centre of precession.",
         symbol="z",
         equation="2020, eq. 1",
     )
@@ -103,8 +105,12 @@ class ContactLineOut(ResponseModel):
     position_angle_deg: float = result(
         "Position angle of the roller.", symbol="φ_1", equation="2020, eq. 1"
     )
-    z_min_mm: float = result("Lower end.", symbol="z_min", equation="2020, eq. 1")
-    z_max_mm: float = result("Upper end.", symbol="z_max", equation="2020, eq. 1")
+    z_min_mm: float = result(
+        "Lower end of the line along the axis of the wheel.", symbol="z_min", equation="2020, eq. 1"
+    )
+    z_max_mm: float = result(
+        "Upper end of the line along the axis of the wheel.", symbol="z_max", equation="2020, eq. 1"
+    )
     phi_min_deg: float = result(
         "Polar angle of the first end.", symbol="φ_min", equation="2020, eq. 6"
     )
@@ -112,8 +118,8 @@ class ContactLineOut(ResponseModel):
         "Polar angle of the last end.", symbol="φ_max", equation="2020, eq. 7"
     )
     length_mm: float = result("Length of the line.", symbol="s_i", equation="2020, eq. 4")
-    relative_error: float = Field(description="Bound of the relative error of its length.")
-    points: Maybe[PointsOut] = result("Points of the line, where asked.")
+    relative_error: float = Field(description="Bound of the relative error of the line's length.")
+    points: Maybe[PointsOut] = result("Points of the line, if requested.")
 
 
 class ContactLineResponse(WorkedResponse):

@@ -31,15 +31,16 @@ class LoadSharingOut(OverTurnOut):
     """Mechanism as it is made, over the turn, under the torque without the dynamic factor."""
 
     torque_direction: Literal["driving", "reverse"] = result(
-        "Direction of the torque: of both the one with the larger pressure."
+        "Direction of the torque that is shown; with an alternating torque the one with the "
+        "larger pressure."
     )
     judged_force_N: Maybe[float] = result(
-        "Force with the largest pressure under the dynamic load: that of the section hertz and of "
-        "the checks.",
+        "Force with the largest pressure under the dynamic load, by which the section `hertz` "
+        "and the checks judge.",
         symbol="F",
     )
     curves: Maybe[ForceCurvesOut] = result(
-        "Force of every pair over the turn, where `load.include` asks for curves."
+        "Force of every pair over the turn, if `load.include` names the curves."
     )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
@@ -55,8 +56,9 @@ class DesignHertzOut(HertzResponse):
     """Contact with the largest pressure."""
 
     line_load_factor: Maybe[float] = result(
-        "Largest line load over the even one of the force, where pins bend: by how they share the "
-        "load, and by their slope. All else is said of that line load.",
+        "Largest line load over the mean line load of the force, if pins bend; caused by the "
+        "bending's load sharing and by the slope of the pins. All other values of the section "
+        "are those at the largest line load.",
         symbol="K_b",
     )
 
@@ -65,19 +67,24 @@ class ColdYieldOut(ResponseModel):
     """First yield of a plastic contact. A lower torque is not proven to be safe over the life."""
 
     torque_Nm: float = result(
-        "Torque above which the plastic yields at once, cold: the first time it acts, at 23 °C."
+        "Torque above which the cold plastic (23 °C) yields at the first application."
     )
     part: Literal["contact", "teeth"] = result(
-        "What yields: a pin or a hole, or the teeth of a disc on pins whose forces are known."
+        "Part that yields: a pin or a hole (contact), or the teeth of a disc on pins whose "
+        "forces are known (teeth)."
     )
-    quarter_Nm: float = result("A quarter of it, at which the stress is half of the strength.")
-    strength_MPa: float = result("Strength that this is by, in the direction that is loaded.")
+    quarter_Nm: float = result(
+        "Quarter of that torque, at which the stress is half of the strength."
+    )
+    strength_MPa: float = result(
+        "Strength used for the yield torque, in the direction of the load."
+    )
     friction: float = result(
-        "Friction coefficient of what slides there; of teeth 0 where it is not known.", symbol="μ"
+        "Friction coefficient of the sliding contact; 0 for teeth if it is not known.", symbol="μ"
     )
-    source: Maybe[str] = result("Where the strength comes from; absent where it was given.")
+    source: Maybe[str] = result("Source of the strength; absent if the request gives the strength.")
     open: list[str] = Field(
-        description="Checks of what nothing here says, or more would have to be given for.",
+        description="Checks that this section does not cover, or whose input is not given.",
         json_schema_extra={"items": {"type": "string", "enum": [*CHECKS]}},
     )
 
@@ -87,75 +94,79 @@ class CrankPlanetaryResponse(JudgedResponse):
 
     model: ForcesUsed = forces_used()
     parts: Maybe[list[PartOut]] = Field(
-        description="The parts of the reducer, of which the verdict is."
+        description="Parts of the reducer, from which the verdict follows."
     )
     shares: Maybe[SharesOut] = result(
-        "How the satellites share the torque, where one does not carry its part within 1 %."
+        "Shares of the torque that the satellites carry, if one differs from the even share by "
+        "more than 1 %."
     )
-    largest_torque_of: Maybe[list[str]] = Field(description="Parts that the largest torque is of.")
+    largest_torque_of: Maybe[list[str]] = Field(description="Parts that the largest torque covers.")
     cold_yield: Maybe[ColdYieldOut] = Field(
-        description="Where a plastic touches and its strength and friction are known: in the place "
-        "of the largest torque, which nobody knows of it.",
+        description="First yield of a plastic in contact, if its strength and friction are known."
+        " It stands in place of the largest torque, which is not known for plastics.",
     )
-    cyclogram: Maybe[CyclogramResponse] = result("As `/cyclogram` answers.")
+    cyclogram: Maybe[CyclogramResponse] = result("Answer of `/cyclogram`.")
     members: Maybe[MembersOut] = result(
-        "Speeds, torques and powers of crank, pins and ring; where others than the pins are the "
-        "output, or where asked."
+        "Speeds, torques and powers of crank, pins and ring, if the output is not the pins or "
+        "if requested."
     )
-    contact_force: Maybe[ContactForceResponse] = result("As `/contact-force` answers.")
-    load_sharing: Maybe[LoadSharingOut] = result("As `/load-sharing` answers over the turn.")
+    contact_force: Maybe[ContactForceResponse] = result("Answer of `/contact-force`.")
+    load_sharing: Maybe[LoadSharingOut] = result("Answer of `/load-sharing` over the turn.")
     real_cyclogram: Maybe[RealCyclogramOut] = result(
-        "Which pairs carry by the forces of `load_sharing`, in its direction of the torque."
+        "Pairs that carry by the forces of `load_sharing`, in its direction of the torque."
     )
     hertz: Maybe[DesignHertzOut] = result(
-        "As `/hertz` answers, under the peak of the contact force; with clearance, deviations or a "
-        "law of contact of the pair and under the force with the largest pressure; with bending "
-        "pins under the largest line load."
+        "Answer of `/hertz` under the peak of the contact force. With clearance, deviations or "
+        "a law of contact it also holds for the pair and the force with the largest pressure; "
+        "with bending pins, for the largest line load."
     )
     pin_strength: Maybe[PinStrengthResponse] = result(
-        "As `/pin-strength` answers, with the deflection: under the torque times its factor, the "
-        "static safety under the peak torque."
+        "Answer of `/pin-strength` with the deflection: stresses under the torque times the "
+        "application factor, static safety under the peak torque."
     )
     output_efficiency: Maybe[OutputEfficiencyResponse] = result(
-        "As `/output-efficiency` answers, under the torque without its factor."
+        "Answer of `/output-efficiency` under the torque without the application factor."
     )
     ring_mesh: Maybe[DesignMeshOut | DesignPairOut] = result(
-        "As `/ring-mesh` answers: of cycloid discs under the torque without its factor, where both "
-        "meshes are in series as they work there; of involute teeth stresses under the dynamic "
-        "load."
+        "Answer of `/ring-mesh`. Cycloid discs: under the torque without the application "
+        "factor, as they work there if both meshes are in series. Involute teeth: stresses "
+        "under the dynamic load."
     )
     ring_drawing: Maybe[RingDrawingOut] = result(
-        "Satellites and ring of `ring_mesh` as they are drawn, in its direction of the torque; "
-        "absent of more than 240 pairs of a ring of pins, and of involute teeth without an outline."
+        "Satellites and ring of `ring_mesh` for drawing, in its direction of the torque; absent"
+        " for more than 240 pairs of a ring of pins, and for involute teeth without an outline."
     )
     satellite_bearing: Maybe[SatelliteBearingResponse] = result(
-        "As `/satellite-bearing` answers, under the torque without its factor, the static safety "
-        "under the peak torque."
+        "Answer of `/satellite-bearing` under the torque without the application factor; static"
+        " safety under the peak torque."
     )
     crankshaft: Maybe[CrankshaftResponse] = result(
-        "As `/crankshaft` answers, under the torque without its factor."
+        "Answer of `/crankshaft` under the torque without the application factor."
     )
     rollers: Maybe[RollersOut] = result(
-        "Rolling bearings on the pins, under the torque without its factor, the static safety "
-        "under the peak torque."
+        "Rolling bearings on the pins under the torque without the application factor; static "
+        "safety under the peak torque."
     )
     fit: Maybe[FitOut] = result(
-        "How the pins fit into their holes, whichever sections are asked, where their sizes and "
-        "their circle are given."
+        "Fit of the pins in their holes, for any requested sections, if their sizes and the pin"
+        " circle are given."
     )
-    geometry: Maybe[GeometryOut] = result("Pins and holes at the crank angle asked.")
+    geometry: Maybe[GeometryOut] = result("Pins and holes at the requested crank angle.")
     combined: Maybe[CombinedOut] = result(
-        "Changes of several inputs with which no check fails, where no change of one is enough."
+        "Changes of several inputs after which no check fails, if no change of a single input "
+        "is enough."
     )
     usual_fit: Maybe[UsualFitOut] = result(
-        "The design with a usual clearance, where it is not known, or 0, and sizes have such a fit."
+        "Design with a usual clearance, if the clearance is not known, or 0, and such a fit "
+        "exists for the sizes."
     )
     usual_modification: Maybe[UsualModificationOut] = result(
-        "The design with a usual ring of pins, where nothing is known of the modification of its "
-        "discs, or of the places of its pins."
+        "Design with a usual ring of pins, if the modification of the discs or the places of "
+        "the ring pins are not known."
     )
     warnings: Maybe[list[WarningOut]] = Field(
-        description="How pins and holes fit, whichever sections are asked: `interference`, "
-        "`wall_holes`, `pins_apart` (such a mechanism is not possible), `clearance`, "
-        "`eccentricity_assumed`, not what `checks` say; and `uneven_sharing` of `shares`.",
+        description="Warnings about the fit of pins and holes, for any requested sections: "
+        "`interference`, `wall_holes`, `pins_apart` (such a mechanism is not "
+        "possible), `clearance`, `eccentricity_assumed`, as far as `checks` do not "
+        "contain them; and `uneven_sharing` of `shares`.",
     )

@@ -209,7 +209,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     temperatures: Maybe[TemperaturesFields] = None
     requirements: ScopedRequirementsFields = Field(default_factory=ScopedRequirementsFields)
     crank_angle_deg: Angle = quantity("Crank angle", "φ", default=0.0, step=5, advanced=True)
-    """Crank angle of the section geometry."""
+    """Crank angle at which the section `geometry` is calculated."""
     include: Maybe[list[Section]] = Field(
         min_length=1,
         max_length=len(NEEDS),
@@ -224,7 +224,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         "interference says why.",
     )
     fixes_for: FixesFor = Field(
-        default="governing", description="Which checks the section fixes is to cure."
+        default="governing", description="Checks that the section `fixes` has to cure."
     )
 
     @model_validator(mode="after")

@@ -55,13 +55,13 @@ class ShaftBearingOut(ResponseModel):
     """A bearing of the shaft."""
 
     peak_N: float = result(
-        "Largest reaction over the turn, with that to the centrifugal forces where the balance is "
-        "known.",
+        "Largest reaction over the turn; the reaction to centrifugal forces is included if the "
+        "balance is known.",
         symbol="R_max",
     )
     equivalent_N: float = result("Equivalent load, ⟨Rᵖ⟩^(1/p).", symbol="P")
     basic_life_h: Maybe[float] = result(
-        "Time that 90 % of such bearings in the housing reach, (C/P)ᵖ million turns.",
+        "Life that 90 % of such bearings in the housing reach, (C/P)ᵖ million turns.",
         symbol="L_10h",
     )
 
@@ -69,20 +69,26 @@ class ShaftBearingOut(ResponseModel):
 class CorrectionOut(ResponseModel):
     """Correction of the unbalance in the plane of a bearing."""
 
-    unbalance_kg_mm: float = result("Mass times radius.", symbol="U")
-    angle_deg: float = result("Its direction, counted as the crank angles are.", symbol="α")
+    unbalance_kg_mm: float = result("Unbalance of the correction: mass times radius.", symbol="U")
+    angle_deg: float = result(
+        "Direction of the correction, measured like the crank angles.", symbol="α"
+    )
 
 
 class BalanceOut(ResponseModel):
     """Centrifugal forces of satellites and counterweights."""
 
-    unbalance_kg_mm: float = result("Mass times radius that is left.", symbol="U")
-    force_N: float = result("Its force, U·ω₁².", symbol="F")
-    couple_Nm: float = result("Couple about the middle of the bearings.", symbol="M")
-    grade_mm_per_s: float = result(
-        "Speed of the centre of what turns about the axis, U·ω₁/M.", symbol="G"
+    unbalance_kg_mm: float = result("Residual unbalance: mass times radius.", symbol="U")
+    force_N: float = result("Centrifugal force of the residual unbalance, U·ω₁².", symbol="F")
+    couple_Nm: float = result(
+        "Couple of the residual unbalance about the middle of the bearings.", symbol="M"
     )
-    bearing_force_N: list[float] = result("Size of the reaction of each bearing to it.")
+    grade_mm_per_s: float = result(
+        "Speed of the rotor's centre of mass about the axis, U·ω₁/M.", symbol="G"
+    )
+    bearing_force_N: list[float] = result(
+        "Magnitude of each bearing's reaction to the residual unbalance."
+    )
     corrections: list[CorrectionOut]
 
 

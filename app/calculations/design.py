@@ -82,8 +82,8 @@ torque_direction = partial(
     quantity,
     "Direction of the torque",
     default="driving",
-    help="Driving: the satellites turn the pins; reverse: the load turns them back; alternating: "
-    "both are solved, and the worse is given.",
+    help="Driving: the satellites turn the pins; reverse: the load turns the pins back; "
+    "alternating: both directions are solved, and the answer gives the worse one.",
 )
 
 
@@ -103,7 +103,7 @@ class OneWayLoadFields(RealLoadFields, group="study"):
     torque_direction: Literal["driving", "reverse"] = quantity(
         "Direction of the torque", default="driving"
     )
-    """Driving: the satellites turn the pins; reverse: the load turns them back."""
+    """Driving: the satellites turn the pins; reverse: the load turns the pins back."""
 
 
 class RealContactFields(PinContactFields, group="contact"):
@@ -134,9 +134,9 @@ class BentPinFields(HeldPinFields, group="pin"):
     bore_diameter_mm: float = quantity(
         "Bore of the pin", "d_i", default=0.0, step=0.5, ge=0, le=LARGEST, schema=NO_DUST
     )
-    """Diameter of its bore, up to 0.95 of its own; 0 of a solid pin."""
+    """Diameter of the pin's bore, up to 0.95 of the pin diameter; 0 for a solid pin."""
     material: Maybe[Material] = quantity("Material of the pin")
-    """A name of the table of materials, or values; that of the contact where it has one."""
+    """Name in the table of materials, or values; the pin material of the contact if not given."""
 
     _bore_size = field_validator("bore_diameter_mm")(no_dust)
 
@@ -158,11 +158,11 @@ class CrankSupportFields(RequestModel, group="crank_support"):
     """Bearings of the satellites on their cranks. The force of the ring on them is left out."""
 
     stiffness_N_per_mm: Maybe[Size] = quantity("Stiffness of a bearing", "k_b", step=10_000)
-    """Radial stiffness of the bearing of one satellite; rigid where not given."""
+    """Radial stiffness of the bearing of one satellite; the bearing is rigid if not given."""
     radial_clearance_mm: float = quantity(
         "Clearance of a bearing", "G", default=0.0, step=0.005, ge=0, le=LARGEST
     )
-    """Radial internal clearance, as catalogues give it: half of it to either side."""
+    """Radial internal clearance as stated in catalogues; half of it lies on either side."""
 
     gives: ClassVar[bool] = True
 
@@ -184,14 +184,14 @@ class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
     }
 
     kind: CouplingKind = quantity("Coupling of the satellites", default="rigid")
-    """Rigid: all turn as one; elastic: each gives in its mesh with the ring; shares: each carries a
-    given share."""
+    """Rigid: all satellites turn as one; elastic: each satellite gives in its mesh with the ring;
+    shares: each satellite carries a given share."""
     stiffness_Nm_per_arcmin: Maybe[Size] = quantity("Stiffness of a mesh", "k_D", step=1)
-    """Torque of one satellite over what its mesh lets it turn, for elastic coupling."""
+    """Torque of one satellite over the rotation that its mesh allows, for elastic coupling."""
     shares: Maybe[list[Annotated[float, Field(ge=1e-6, le=1)]]] = quantity(
         "Shares of the torque", "w_j", min_length=1, max_length=MAX_SATELLITES
     )
-    """Share of each satellite, together 1."""
+    """Share of the torque that each satellite carries; the shares add up to 1."""
 
     @model_validator(mode="after")
     def _shares_of_one(self) -> Self:
@@ -289,23 +289,24 @@ class DeviationsFields(RequestModel, group="deviations"):
     """
 
     pin_radial_mm: Maybe[PerPin] = quantity("Pins outward", "ρ", step=0.001)
-    """Of each pin, outward."""
+    """Radial deviation of each pin's centre, positive outward."""
     pin_tangential_mm: Maybe[PerPin] = quantity("Pins along the circle", "τ", step=0.001)
-    """Of each pin, in the driving sense."""
+    """Tangential deviation of each pin's centre, positive in the driving sense."""
     pin_radius_mm: Maybe[PerPin] = quantity("Pin radii", "Δr", step=0.001)
-    """Of each pin's radius."""
+    """Deviation of each pin's radius, positive for a larger pin."""
     hole_radial_mm: Maybe[PerHole] = quantity("Holes outward", "ρ_j", step=0.001)
-    """Of each hole, outward, a list for each satellite."""
+    """Radial deviation of each hole's centre, positive outward, as one list per satellite."""
     hole_tangential_mm: Maybe[PerHole] = quantity("Holes along the circle", "τ_j", step=0.001)
-    """The same in the driving sense."""
+    """Tangential deviation of each hole's centre, positive in the driving sense, as one list per
+    satellite."""
     hole_radius_mm: Maybe[PerHole] = quantity("Hole radii", "Δr_j", step=0.001)
-    """Of each hole's radius."""
+    """Deviation of each hole's radius, positive for a larger hole, as one list per satellite."""
     eccentricity_mm: Maybe[PerSatellite] = quantity("Eccentricities", "Δe", step=0.001)
-    """Of each crank."""
+    """Deviation of the eccentricity of each crank, positive for a larger one."""
     crank_phase_deg: Maybe[PhasePerSatellite] = quantity("Crank phases", "Δα", step=0.001)
-    """Angle of each crank, positive ahead."""
+    """Deviation of the angle of each crank, positive ahead."""
     disc_phase_deg: Maybe[PhasePerSatellite] = quantity("Disc phases", "η", step=0.001)
-    """Angle of each disc's holes against its teeth, positive ahead."""
+    """Deviation of the angle of each disc's holes relative to its teeth, positive ahead."""
 
     def section(self, _: Any = None) -> Deviations:
         """The deviations in SI units."""
@@ -362,12 +363,13 @@ class DesignLoadFields(LoadFields, group="load"):
     application_factor: Maybe[Size] = application_factor()
     peak_torque_Nm: Maybe[Size] = peak_torque()
     peak_kind: PeakKind = quantity("Kind of the peak", default="start", advanced=True)
-    """Of a start, which comes again and again, or of an emergency stop: static safety of bearings
-    1.5 or 1."""
+    """Event of the peak torque: a start, which happens again and again and needs a static safety of
+    bearings of 1.5, or an emergency stop, which needs 1."""
     ring_speed_rpm: Maybe[Speed] = quantity("Ring speed", "n_r", step=10, advanced=True)
-    """Where ring and pins are both the output: of the ring, positive in the sense of the crank."""
+    """Speed of the ring if ring and pins are both outputs, positive in the sense of the crank."""
     carrier_speed_rpm: Maybe[Speed] = quantity("Speed of the pins", "n_c", step=10, advanced=True)
-    """The same of the pins, instead."""
+    """Speed of the pins if ring and pins are both outputs, positive in the sense of the crank;
+    given instead of the ring's speed."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("ring_speed_rpm",), ("carrier_speed_rpm",), ()),)
 
@@ -401,9 +403,9 @@ class DesignPinFields(BentPinFields, group="pin"):
     """Pin with its support, bending and strength."""
 
     contact_length_mm: Maybe[Size] = quantity("Contact length", "b", step=1)
-    """Length of the contact along the pin: the width of the satellite."""
+    """Length of the contact along the pin, which is the width of the satellite."""
     rotates: bool = quantity("Pin rotates", default=False)
-    """Whether the pin turns in the carrier: then its bending is fully reversed."""
+    """True if the pin turns in the carrier, so that its bending is fully reversed."""
     bolt: Maybe[PinBoltFields] = None
 
     def section(self, whole: Any) -> DesignPin:
@@ -634,8 +636,8 @@ class DesignFields(GivingFields):
 def forces_used() -> Any:
     """Field of an answer that states the kind of forces."""
     return result(
-        "Forces that it follows from: the ideal ones, or the real ones, with clearance, deviations "
-        "and elasticity, where these are given or, in the whole design, pins bend."
+        "Forces behind the results: ideal forces, or real forces with clearance, deviations and "
+        "elasticity, if these are given or, in the whole design, pins bend."
     )
 
 
@@ -649,8 +651,8 @@ class SatelliteBodyFields(RequestModel, group="satellite_body"):
     bore_radius_mm: Maybe[Size] = quantity("Bore radius", "r_b", step=1)
     """Radius of the satellite's bore."""
     solid_wall_mm: Maybe[Size] = quantity("Solid wall of the holes", "w_s", step=0.4)
-    """Of a printed satellite, solid material behind the surface of its holes: perimeters times line
-    width."""
+    """Thickness of solid material around the holes of a printed satellite: number of perimeters
+    times line width."""
 
     def section(self, _: Any) -> SatelliteBody:
         """Body in SI units."""

@@ -35,26 +35,28 @@ class FatigueFields(RequestModel, group="fatigue"):
     )
 
     surface: Maybe[Surface] = quantity("Surface")
-    """How the surface was made; cold-drawn counts as machined."""
+    """Finish of the surface; cold-drawn counts as machined."""
     surface_factor: Maybe[float] = quantity("Surface factor", "k_a", step=0.05, ge=0.01, le=1)
-    """Its factor instead."""
+    """Surface factor, given instead of the finish of the surface."""
     edition: Edition = quantity("Edition", default="shigley_11", advanced=True)
-    """Edition of Shigley whose constants of the surface are taken."""
+    """Edition of Shigley from which the constants of the surface factor are taken."""
     reliability_percent: Maybe[float] = quantity("Reliability", ge=50, le=99.99)
-    """50, 90, 95, 99, 99.9 or 99.99 %; 50 where neither this nor its factor is given."""
+    """Reliability of 50, 90, 95, 99, 99.9 or 99.99 %; 50 % if neither the reliability nor its
+    factor is given."""
     reliability_factor: Maybe[float] = quantity(
         "Reliability factor", "k_e", step=0.05, ge=0.01, le=1
     )
-    """Its factor instead."""
+    """Reliability factor, given instead of the reliability."""
     fatigue_notch_factor: Maybe[float] = quantity(
         "Fatigue notch factor", "K_f", step=0.1, ge=1, le=100
     )
-    """Of the seat or any notch where the part bends most; 1 says that there is none."""
+    """Fatigue notch factor of the seat or of any notch at the place of the largest bending; 1 means
+    no notch."""
     notch: Maybe[NotchFields] = None
     endurance_limit_MPa: Maybe[Size] = quantity("Endurance limit", "S_e", step=10)
-    """Endurance limit of the part itself, all factors in it."""
+    """Endurance limit of the part itself, with all factors included."""
     criterion: Criterion = quantity("Criterion", default="goodman")
-    """How the mean stress counts: Goodman, Gerber, Soderberg or Haigh after FKM."""
+    """Criterion for the mean stress: Goodman, Gerber, Soderberg, or Haigh as in FKM."""
 
     def section(self, _: Any = None) -> FatigueBasis:
         """Basis in SI units."""
@@ -65,8 +67,8 @@ class PinFatigueFields(FatigueFields, group="fatigue"):
     """Basis of the fatigue strength of a pin, loaded once a turn of the crank against the pins."""
 
     life_h: Maybe[Size] = quantity("Life", "L", step=500)
-    """Time that the pins have to last: for fewer than a million cycles their strength is above the
-    endurance limit; the life of the requirements where not given."""
+    """Required life of the pins, of the requirements if not given; for fewer than a million cycles
+    their strength is above the endurance limit."""
 
 
 class FactorsOut(ResponseModel):
@@ -87,7 +89,9 @@ class CycleOut(ResponseModel):
     mean_MPa: float = result("Mean of the cycle.", symbol="σ_m")
     endurance_limit_MPa: float = result("Endurance limit of the part.", symbol="S_e")
     factors: Maybe[FactorsOut] = None
-    safety_factor: float = result("By the criterion: all stresses may grow so much.", symbol="n")
+    safety_factor: float = result(
+        "Safety factor by the criterion: factor by which all stresses may grow.", symbol="n"
+    )
     cycles: Maybe[float] = result(
-        "Cycles that it stands; absent within the endurance limit.", symbol="N"
+        "Number of cycles to failure; absent below the endurance limit.", symbol="N"
     )

@@ -84,13 +84,13 @@ class FitRequest(RequestModel, group="positions"):
     crank_angle_deg: list[Angle] = quantity(
         "Crank angles", "φ", default=[0.0], min_length=1, max_length=MAX_POSITIONS
     )
-    """Crank angles of the positions."""
+    """Crank angles of the section `positions`."""
     include: list[Section] = Field(
         default=[],
         max_length=4,
-        description="Results besides the fit: the room and the lags of each pin at the crank "
-        "angles, what elasticity takes up of a misfit, each satellite by itself, how the numbers "
-        "were got.",
+        description="Results besides the fit: room and lags of each pin at the crank angles, the "
+        "part of a misfit that elasticity takes up, the fit of each satellite by "
+        "itself, and worked steps.",
     )
 
     def refuse_beyond(self, settings: Settings) -> None:

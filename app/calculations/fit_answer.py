@@ -26,9 +26,10 @@ class DiscOut(ResponseModel):
     """Fit of one satellite by itself."""
 
     satellite: int = result("Number of the satellite, from 1.", symbol="j")
-    least_room_mm: float = result("Its least room over the turn.")
+    least_room_mm: float = result("Least room of the satellite over the turn.")
     turned_deg: float = result(
-        "Its holes ahead of the pins, in the mean of least squares, where it is put on."
+        "Angle of the holes ahead of the pins with the satellite in place, as a mean by least "
+        "squares."
     )
 
 
@@ -36,18 +37,19 @@ class ElasticOut(ResponseModel):
     """Misfit that rigid pins in elastic contact with their holes take up."""
 
     limit_mm: Maybe[float] = result(
-        "Largest approach that a pair takes elastically; absent where the limit of neither "
+        "Largest approach that a pair takes up elastically; absent if the limit of neither "
         "material is known."
     )
     limit_force_N: Maybe[float] = result(
-        "The force under which it does: the pressure is what the weaker body stands at rest."
+        "Force of a pair at that approach, at which the pressure is the static limit of the "
+        "weaker body."
     )
     force_without_load_N: Maybe[float] = result(
-        "Largest force of a pair where the room is least, where parts press without load and an "
-        "elastic state is not ruled out."
+        "Largest force of a pair at the place of the least room, if parts press without load "
+        "and an elastic state is not ruled out."
     )
     pressure_without_load_MPa: Maybe[float] = result(
-        "Largest pressure there.", symbol="p_0", equation="Johnson 4.2"
+        "Largest pressure of a pair under that force.", symbol="p_0", equation="Johnson 4.2"
     )
 
 
@@ -55,16 +57,21 @@ class WholeFitOut(FitOut):
     """Fit of pins in their holes, and the consequence of a misfit."""
 
     largest_hole_radius_mm: Maybe[float] = result(
-        "Where holes do not hold their pins: the radius below which they would.",
+        "Hole radius below which the holes bound their pins, if they do not.",
         equation="min(R, √(r_in² + R²·sin²(π/N)))",
     )
     greatest_room_mm: Maybe[float] = result("Greatest room over the turn.")
     least_room_arcmin: Maybe[float] = result(
-        "Least angle that the unloaded output can turn, over the turn; below 0 by how much pairs "
-        "miss each other, absent where a pin is in its hole at no lag.",
+        "Least angle over the turn through which the unloaded output can turn. A negative angle"
+        " says by how much pairs miss each other; the value is absent if a pin fits its hole at"
+        " no lag.",
         symbol="θ₊ − θ₋",
     )
-    greatest_room_arcmin: Maybe[float] = result("The greatest: the backlash.", symbol="θ₊ − θ₋")
+    greatest_room_arcmin: Maybe[float] = result(
+        "Largest angle over the turn through which the unloaded output can turn, which is the "
+        "backlash.",
+        symbol="θ₊ − θ₋",
+    )
     blocked_share: Maybe[float] = result("Share of the turn in which the parts jam.")
     misfit: Maybe[
         Literal[
@@ -75,11 +82,11 @@ class WholeFitOut(FitOut):
             "cannot_assemble",
         ]
     ] = result(
-        "What becomes of parts that do not fit; absent where they do, and where holes do not hold "
+        "Consequence of parts that do not fit; absent if they fit, and if holes do not bound "
         "their pins."
     )
-    discs: Maybe[list[DiscOut]] = result("Each satellite by itself, where asked.")
-    elastic: Maybe[ElasticOut] = result("What elasticity takes up, where asked.")
+    discs: Maybe[list[DiscOut]] = result("Fit of each satellite by itself, if requested.")
+    elastic: Maybe[ElasticOut] = result("Misfit that elasticity takes up, if requested.")
 
     @classmethod
     def values(cls, result: Rooms, run_time_us: float | None = None, **given: Any) -> Values:
@@ -104,7 +111,8 @@ class FitPositionOut(ResponseModel):
 
     crank_angle_deg: float = result("Crank angle.", symbol="φ")
     room_mm: float = result(
-        "By how much every pin might grow there, or below 0 must shrink, until it just fits.",
+        "Amount by which all pins might grow in radius until the parts just fit; negative if "
+        "they have to shrink.",
         equation="max over θ of min(C − |P·exp(−iθ) − H|)",
     )
     window_arcmin: Maybe[list[float]] = result(
@@ -112,8 +120,9 @@ class FitPositionOut(ResponseModel):
         symbol="θ₋, θ₊",
     )
     pairs: list[list[list[float]]] = result(
-        "Least and largest lag, ′, at which each pin is in its hole, a list for each satellite; "
-        "empty where at none, half a turn to either side where its hole is no bound."
+        "Least and largest lag, ′, at which each pin is in its hole, as one list per satellite;"
+        " empty if the pin fits at no lag, half a turn to either side if its hole does not "
+        "bound it."
     )
 
     @classmethod
@@ -150,9 +159,9 @@ def _arc(low: float, high: float) -> list[float]:
 class FitResponse(AssumingResponse):
     """Fit of pins in holes, freedom to turn, and the room that is left."""
 
-    fit: WholeFitOut = result("How the pins fit into their holes.")
+    fit: WholeFitOut = result("Fit of the pins in their holes.")
     positions: Maybe[list[FitPositionOut]] = result(
-        "At the crank angles, where asked and holes hold their pins."
+        "Pins in their holes at the crank angles, if requested and if the holes bound their pins."
     )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None

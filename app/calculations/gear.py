@@ -22,7 +22,7 @@ _position = partial(
     quantity,
     "Position angle",
     "φ₁",
-    help="Position of the roller on the central wheel; of a wheel's first.",
+    help="Angular position of the roller on the central wheel, or of the first roller of a wheel.",
 )
 _from = partial(
     quantity,
@@ -65,7 +65,7 @@ class WheelFields(RequestModel, group="rollers"):
     rollers_total: Whole = quantity("Rollers of the wheel", "z₁", step=1, ge=1, le=MAX_ROLLERS)
     """Number of rollers of the central wheel."""
     rollers_in_mesh: Maybe[Whole] = quantity("Rollers in mesh", step=1, ge=1, le=MAX_ROLLERS)
-    """How many of them touch the satellite, from the first on; all where not given."""
+    """Number of rollers that touch the satellite, counted from the first; all if not given."""
     position_angle_deg: Angle = _position(step=5)
     z_min_mm: Coordinate = _from()
     z_max_mm: Coordinate = _to()
@@ -93,7 +93,7 @@ class GearFields(RequestModel, group="gear"):
     rollers: Maybe[list[RollerFields]] = quantity(
         "Rollers", group="rollers", min_length=1, max_length=MAX_ROLLERS
     )
-    """The rollers in mesh, one by one."""
+    """Rollers in mesh, listed one by one."""
     wheel: Maybe[WheelFields] = quantity("Wheel", group="rollers")
     """Evenly spaced rollers with one working length, instead of a list."""
 

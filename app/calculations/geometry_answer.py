@@ -26,9 +26,11 @@ class PairGeometryOut(PairOut):
         "Contact point, X and Y.", symbol="E_jn", equation="2021, before eq. 6"
     )
     pressure_angle_deg: float = result(
-        "Between the velocity of the pin and the force.", symbol="γ_jn", equation="2021, eq. 6"
+        "Angle between the velocity of the pin and the force.",
+        symbol="γ_jn",
+        equation="2021, eq. 6",
     )
-    driving: bool = result("Whether the pair transmits force.")
+    driving: bool = result("True if the pair transmits force.")
     force_N: float = result("Force of the pair.", symbol="F_jn", equation="2021, eq. 10")
 
 
@@ -36,11 +38,12 @@ class GeometryOut(ResponseModel):
     """Pins and holes at a crank angle (Y up through pin 1 at crank angle 0, X right)."""
 
     clearance_mm: float = result(
-        "Radius of the hole less that of the pin and the eccentricity; below 0 for interference.",
+        "Radius of the hole less that of the pin and less the eccentricity; negative for "
+        "interference.",
         symbol="c",
     )
-    pins: list[PointOut] = result("The pins, by number.")
-    pairs: list[PairGeometryOut] = result("The pairs, satellite by satellite.")
+    pins: list[PointOut] = result("Pins in the order of their numbers.")
+    pairs: list[PairGeometryOut] = result("Pairs of pins and holes, satellite by satellite.")
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 

@@ -126,28 +126,31 @@ class MaterialFields(RequestModel, group="material"):
     model_config = ConfigDict(json_schema_extra=_values_schema)
 
     yield_strength_MPa: Maybe[Size] = quantity("Yield strength", "R_e", step=10)
-    """Yield strength: judges bending, or yield below the surface; of a printed part by the data
-    sheet of its filament, in the direction in which its layers are loaded."""
+    """Yield strength, by which bending or yield below the surface is judged. Printed parts need the
+    value of the filament's data sheet for the direction in which the layers are loaded."""
     tensile_strength_MPa: Maybe[Size] = quantity("Tensile strength", "R_m", step=10)
-    """Tensile strength: what fatigue is judged by; of a plastic, the smaller one of the two
-    strengths counts."""
+    """Tensile strength, by which fatigue is judged. Plastics are judged by the smaller of yield and
+    tensile strength."""
     name: Maybe[MaterialName] = quantity("Otherwise as", "")
-    """Name of the table of materials: what is not given is of it."""
+    """Name in the table of materials, from which values that are not given are taken."""
     youngs_modulus_GPa: Maybe[Size] = quantity("Young's modulus", "E", step=1)
-    """Modulus of elasticity of the material; below 20 GPa it is a plastic."""
+    """Young's modulus of the material; a material below 20 GPa counts as a plastic."""
     poissons_ratio: Maybe[float] = quantity("Poisson's ratio", "ν", step=0.01, ge=0, lt=0.5)
-    """Lateral strain over the strain along a tension; of plastics 0.35 to 0.4 is usual."""
+    """Lateral strain over the strain along a tension; 0.35 to 0.4 is usual for plastics."""
     allowable_pressure_MPa: Maybe[Size] = quantity("Allowable pressure", "p_all", step=10)
-    """Allowable contact pressure: what this body is judged by; of a plastic by a test."""
+    """Allowable contact pressure, by which this body is judged. Plastics need a value from a
+    test."""
     layers: Maybe[Layers] = quantity("Layers of the print", advanced=True)
-    """How the layers of a printed part lie: flat, across the axis of the pins, or upright, along
-    it. Strengths have to be those of the direction that is loaded: of upright ones across them."""
+    """Orientation of the layers of a printed part: flat, across the axis of the pins, or upright,
+    along it. Strengths have to be those of the loaded direction, across the layers if these are
+    upright."""
     long_term_factor: Maybe[float] = quantity(
         "Long-term factor", "k_lt", step=0.05, ge=0.01, le=1, advanced=True
     )
-    """Strength of a plastic in the long run over that of a short test, by a test of your own."""
+    """Long-term strength of a plastic over its strength in a short test, from a test of your
+    own."""
     life_curve: Maybe[LifeCurve] = quantity("Life curve")
-    """How the allowable pressure falls over the life, which a design with a speed has: as that of
+    """Curve by which the allowable pressure falls over the life, for designs with a speed: that of
     through- or case-hardened steel, of nitrided steel and cast iron, or of nitrocarburised
     steel."""
 
@@ -207,7 +210,7 @@ contact_length = partial(
     "Contact length",
     "b",
     step=1,
-    help="Length of the contact along the pin: the width of the satellite.",
+    help="Length of the contact along the pin, which is the width of the satellite.",
 )
 pin_radius = partial(
     quantity, "Pin radius", "r_in", step=0.5, help="Radius of the pin, or of its sleeve."
@@ -224,7 +227,8 @@ eccentricity = partial(
     "Eccentricity",
     "e",
     step=0.5,
-    help="Eccentricity of the cranks; where it may be left out: hole radius − pin radius.",
+    help="Eccentricity of the cranks; the default, where there is one, is hole radius − pin "
+    "radius.",
 )
 distribution_factor = partial(
     quantity,
@@ -232,8 +236,8 @@ distribution_factor = partial(
     "K_α",
     default=1.0,
     step=0.05,
-    help="Factor on the largest force by an uneven share of satellites or pins, wherever that "
-    "force goes. Torque, loss and efficiency are those of all forces together.",
+    help="Factor on the largest force for uneven sharing between satellites or pins, in all "
+    "results of that force. Torque, loss and efficiency follow from all forces together.",
 )
 """Fields that are optional or have other limits in some requests."""
 
@@ -250,11 +254,11 @@ class ContactFields(RequestModel, group="contact"):
     pin_radius_mm: Size = pin_radius()
     hole_radius_mm: Size = hole_radius()
     pin_material: Material = quantity("Pin material", default="steel_bearing")
-    """A name of the table of materials, or values."""
+    """Name in the table of materials, or values."""
     hole_material: Material = quantity("Hole material", default="steel_through_hardened")
-    """A name of the table of materials, or values."""
+    """Name in the table of materials, or values."""
     dynamic_factor: Size = quantity("Dynamic factor", "K_A", default=1.0, step=0.05)
-    """Factor of the dynamic load."""
+    """Factor on the force for the dynamic load."""
     distribution_factor: Size = distribution_factor()
 
     ASSUMED: ClassVar[tuple[str, ...]] = ("pin_material", "hole_material")
@@ -329,13 +333,18 @@ class HertzRequest(ContactFields, WorkedFields, group="contact"):
 class LifeOut(ResponseModel):
     """Fall of the pressure limit over the life: (N_k/N_L)^m, at most Z_m."""
 
-    curve: LifeCurve = Field(description="Whose curve, of teeth.")
-    loads: float = result(
-        "Loads over the life: turns of a satellite against its crank.", symbol="N_L"
+    curve: LifeCurve = Field(
+        description="Material group whose life curve is used; the curves are those of gear teeth "
+        "in ISO 6336-2."
     )
-    knee_loads: float = result("Loads at which the limit is that of the material.", symbol="N_k")
-    exponent: float = result("Exponent of the line, before or beyond that.", symbol="m")
-    largest_factor: float = result("Factor of few loads.", symbol="Z_m")
+    loads: float = result(
+        "Number of loads over the life: turns of a satellite relative to its crank.", symbol="N_L"
+    )
+    knee_loads: float = result(
+        "Number of loads at which the limit is that of the material.", symbol="N_k"
+    )
+    exponent: float = result("Exponent of the line on this side of the knee.", symbol="m")
+    largest_factor: float = result("Largest life factor, for few loads.", symbol="Z_m")
     factor: float = result("Life factor.", symbol="Z_NT", equation="ISO 6336-2")
 
     @classmethod
@@ -355,19 +364,21 @@ class LifeOut(ResponseModel):
 class SafetyOut(ResponseModel):
     """One body judged by the limit of its own material under the governing pressure."""
 
-    body: Literal["pin", "hole"] = result("The body that is judged.")
+    body: Literal["pin", "hole"] = result("Body that is judged.")
     limit_MPa: float = result("Limit of the pressure.", symbol="p_P")
-    criterion: Criterion = result("What the limit is for.")
-    source: Maybe[str] = result("Where the limit comes from; absent where it was given.")
-    source_code: Maybe[str] = result("The same by code.")
+    criterion: Criterion = result("Kind of damage that the limit guards against.")
+    source: Maybe[str] = result(
+        "Source of the limit, in English; absent if the request gives the limit."
+    )
+    source_code: Maybe[str] = result("Source of the limit, by code.")
     life: Maybe[LifeOut] = Field(
-        description="How the limit falls over the life, by 1e10 loads where no speed is given; "
-        "absent where no curve is known."
+        description="Fall of the limit over the life, by 1e10 loads if no speed is given; absent "
+        "if no curve is known."
     )
     safety_factor: float = Field(
-        description="Limit over governing pressure, with the life factor where there is one. A "
-        "ratio of pressures: the reserve of the load is its square, as long as Hertz's pressure "
-        "governs."
+        description="Limit over governing pressure, with the life factor if there is one. The "
+        "factor is a ratio of pressures; the reserve of the load is its square as "
+        "long as Hertz's pressure governs."
     )
 
     @classmethod
@@ -423,29 +434,33 @@ class HertzResponse(AssumingResponse):
         equation="Persson 1964",
     )
     conformal_half_angle_deg: Maybe[float] = result(
-        "Half of the angle of that contact, seen from between both axes.",
+        "Half of the conformal contact's angle, seen from the middle between both axes.",
         symbol="ε",
         equation="Persson 1964",
     )
-    conformal_half_angle_pin_deg: Maybe[float] = result("The same on the pin.", symbol="ε·√(R/r)")
-    conformal_half_angle_hole_deg: Maybe[float] = result("The same on the hole.", symbol="ε·√(r/R)")
+    conformal_half_angle_pin_deg: Maybe[float] = result(
+        "Half of the conformal contact's angle on the pin.", symbol="ε·√(R/r)"
+    )
+    conformal_half_angle_hole_deg: Maybe[float] = result(
+        "Half of the conformal contact's angle on the hole.", symbol="ε·√(r/R)"
+    )
     conformal_half_length_mm: Maybe[float] = result(
-        "Half of the length of that contact along the arc.", symbol="ε·√(r·R)"
+        "Half of the conformal contact's length along the arc.", symbol="ε·√(r·R)"
     )
     edge_tension_MPa: Maybe[float] = result(
-        "Hoop tension in the rim of the hole at the ends of that contact.", symbol="σ_t"
+        "Hoop tension in the rim of the hole at the ends of the conformal contact.", symbol="σ_t"
     )
     governing_pressure_MPa: Maybe[float] = Field(
-        description="The pressure that is judged: the conformal one where it is given, else "
-        "Hertz's; absent where the contact would wrap around more than half of the pin."
+        description="Pressure that is judged: the conformal pressure if it is given, else "
+        "Hertz's; absent if the contact would wrap around more than half of the pin."
     )
     safety: Maybe[list[SafetyOut]] = Field(
-        description="The bodies whose limit is known, each by its own; absent where none is."
+        description="Safety of each body whose limit is known; absent if neither is known."
     )
     safety_factor: Maybe[float] = Field(
-        description="The smaller of both bodies' safety factors; absent where one is not known. A "
-        "ratio of pressures: the reserve of the load is its square, as long as Hertz's pressure "
-        "governs."
+        description="Smaller of both bodies' safety factors; absent if one is not known. The "
+        "factor is a ratio of pressures; the reserve of the load is its square as "
+        "long as Hertz's pressure governs."
     )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None

@@ -70,7 +70,7 @@ class RangeFields(RequestModel, group="mechanism"):
     revolutions: float = quantity(
         "Crank revolutions", default=1.0, step=1, advanced=True, gt=0, le=1e6
     )
-    """Length of the cyclogram, in turns of the crank."""
+    """Length of the cyclogram in turns of the crank."""
 
 
 class CyclogramFields(MechanismFields, RangeFields):
@@ -108,7 +108,7 @@ class DrivingPairOut(PairOut):
     """Driving phases of one pair."""
 
     driving_deg: list[Range] = result(
-        "Ranges of crank angle within a period in which it drives.",
+        "Ranges of crank angle within a period in which the pair drives.",
         symbol="φ",
         equation="2021, eq. 6",
     )
@@ -117,9 +117,9 @@ class DrivingPairOut(PairOut):
 class CountIntervalOut(ResponseModel):
     """Range of the crank angle with one number of driving pairs."""
 
-    from_deg: float = result("Where the range begins.", symbol="φ")
-    to_deg: float = result("Where it ends.", symbol="φ")
-    pairs: int = result("Driving pairs within it.")
+    from_deg: float = result("Crank angle at the start of the range.", symbol="φ")
+    to_deg: float = result("Crank angle at the end of the range.", symbol="φ")
+    pairs: int = result("Number of driving pairs within the range.")
 
 
 class AssemblyAngleOut(ResponseModel):
@@ -127,22 +127,26 @@ class AssemblyAngleOut(ResponseModel):
 
     satellite: int = result("Number of the satellite, from 1.", symbol="j")
     hole_rotation_deg: float = result(
-        "Rotation of its holes against its teeth.", symbol="ψ_j", equation="2021, after eq. 11"
+        "Rotation of the satellite's holes relative to its teeth.",
+        symbol="ψ_j",
+        equation="2021, after eq. 11",
     )
-    identical: bool = result("Whether it may be made like the first satellite.")
+    identical: bool = result("True if the satellite may be identical to the first one.")
 
 
 class CyclogramResponse(AssumingResponse):
     """Pairs that drive, with their phases and numbers."""
 
     working_phase_deg: float = result(
-        "Crank angle through which a pair drives at a time.", equation="2018; 2021, eq. 6"
+        "Crank angle over which a pair drives without interruption.", equation="2018; 2021, eq. 6"
     )
     period_deg: float = result("Crank angle after which the same pairs drive again.")
-    pattern_period_deg: float = result("Crank angle after which as many pairs drive again.")
-    pairs: list[DrivingPairOut] = result("The pairs, satellite by satellite.")
+    pattern_period_deg: float = result(
+        "Crank angle after which the number of driving pairs repeats."
+    )
+    pairs: list[DrivingPairOut] = result("Pairs of pins and holes, satellite by satellite.")
     driving_count: list[CountIntervalOut] = result(
-        "Numbers of driving pairs over a pattern's period."
+        "Number of driving pairs over the period of their number."
     )
     min_driving: int = result("Fewest pairs that drive together.")
     max_driving: int = result("Most pairs that drive together.")
@@ -150,7 +154,7 @@ class CyclogramResponse(AssumingResponse):
     dead_centres_deg: list[float] = result("Crank angles at which no pair drives.")
     dead_zones_deg: Maybe[list[Range]] = result("Ranges of crank angle in which no pair drives.")
     assembly: Maybe[list[AssemblyAngleOut]] = result(
-        "How the satellites' holes stand against their teeth, where the teeth are given."
+        "Angles of the satellites' holes relative to their teeth, if the teeth are given."
     )
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
@@ -219,8 +223,8 @@ peak_torque = partial(
     "Peak torque",
     "T_max",
     step=10,
-    help="Largest torque, for static strength, at least the torque times its factor; that where "
-    "not given.",
+    help="Largest torque, for static strength, at least the torque times the application factor, "
+    "which is also the default.",
 )
 
 
@@ -232,14 +236,16 @@ class TorqueFields(RequestModel, group="load"):
     )
 
     output_torque_Nm: Maybe[Size] = quantity("Output torque", "T", step=10)
-    """Torque of the output; where both are it that on the pins."""
+    """Torque of the output; the torque on the pins if ring and pins are both outputs."""
     input_torque_Nm: Maybe[Size] = quantity("Input torque", "T₁", step=1)
-    """Torque on the crankshaft; T = T₁·i·η, i being u, or u + 1 where the ring is the output."""
+    """Torque on the crankshaft, from which T = T₁·i·η follows; i is u, or u + 1 if the ring is the
+    output."""
     efficiency: Maybe[float] = quantity("Efficiency", "η", step=0.01, ge=1e-3, le=1)
     """Efficiency of the reducer, needed with the input torque."""
     pin_circle_radius_mm: Size = pin_circle_radius()
     force_exponent: float = quantity("Force exponent", "v", default=1.0, step=0.1, ge=0, le=1e6)
-    """Force ∝ approach^v: 0 equal sharing, 1 linear, 10/9 and 3/2 the usual contact laws."""
+    """Exponent v in force ∝ approach^v: 0 for equal sharing, 1 for linear contacts, 10/9 and 3/2
+    for the usual contact laws."""
 
     def force_given(self, members: Members) -> dict[str, Any]:
         """Load as the worked steps of the force take it."""
@@ -304,7 +310,9 @@ class LoadFields(CurveFields, TorqueFields):
     """Torque, lever and load sharing of the pins, and requested results of the force."""
 
     include: list[ForceSection] = Field(
-        default=[], max_length=3, description="Optional results: what is not named is not computed."
+        default=[],
+        max_length=3,
+        description="Optional results; only those that are named are computed.",
     )
 
     @property
@@ -375,9 +383,11 @@ class ForceCurvesOut(ResponseModel):
 
     crank_angle_deg: list[float] = result("Crank angles of the curves.", symbol="φ")
     force_N: list[list[float]] = result(
-        "Forces, a list for each pair.", symbol="F_jn", equation="2021, eq. 10"
+        "Forces over the crank angles, as one list per pair.",
+        symbol="F_jn",
+        equation="2021, eq. 10",
     )
-    pairs: list[PairOut] = result("The pairs, in the order of the forces.")
+    pairs: list[PairOut] = result("Pairs, in the order of the lists of forces.")
 
     @classmethod
     def values(cls, result: ForceCurves, run_time_us: float | None = None, **given: Any) -> Values:
@@ -401,8 +411,8 @@ class ContactForceResponse(AssumingResponse):
         "Largest contact force over the reference force.", symbol="f", equation="2021, eq. 11"
     )
     peak_crank_angle_deg: float = result("Crank angle of the peak.", symbol="φ")
-    peak_pair: PairOut = result("The pair that carries the peak.")
-    curves: Maybe[ForceCurvesOut] = result("Force of every pair over the turn, where asked.")
+    peak_pair: PairOut = result("Pair with the largest force.")
+    curves: Maybe[ForceCurvesOut] = result("Force of every pair over the turn, if requested.")
     equal_sharing_peak_N: Maybe[float] = result(
         "Largest force if all driving pairs carried alike.", symbol="F_max", equation="Zyl, eq. 1"
     )
@@ -411,6 +421,6 @@ class ContactForceResponse(AssumingResponse):
         symbol="F_max",
         equation="2018, eq. 5",
     )
-    approximate_peak_error: Maybe[float] = result("The approximation over the exact peak, less 1.")
+    approximate_peak_error: Maybe[float] = result("Approximate over exact peak, less 1.")
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None

@@ -44,24 +44,24 @@ class InvoluteRingFields(InvoluteTeethFields, group="gear"):
     ASSUMED: ClassVar[tuple[str, ...]] = ("satellite_material", "ring_material")
 
     kind: Literal["involute"] = quantity("Ring")
-    """Involute teeth."""
+    """Ring with involute teeth."""
     module_mm: Size = quantity("Module", "m", step=0.5)
-    """Of the teeth."""
+    """Module of the teeth."""
     reference_pressure_angle_deg: float = quantity(
         "Reference pressure angle", "α", default=20.0, step=0.5, ge=14.5, le=30
     )
-    """Of the teeth."""
+    """Pressure angle of the teeth at the reference circle."""
     satellite_profile_shift: float = satellite_shift()
     ring_profile_shift: float = ring_shift()
     contact_length_mm: Size = contact_length()
     satellite_material: Material = quantity("Satellite material", default=RING_MATERIAL)
-    """A name of the table of materials, or values."""
+    """Name in the table of materials, or values."""
     ring_material: Material = quantity("Ring material", default=RING_MATERIAL)
-    """A name of the table of materials, or values."""
+    """Name in the table of materials, or values."""
     friction_coefficient: Maybe[float] = quantity(
         "Friction coefficient", "μ", step=0.01, ge=0, le=1
     )
-    """Of the flanks; without it no loss is answered."""
+    """Friction coefficient of the flanks; without it the loss is not calculated."""
 
 
 def solved_pair(

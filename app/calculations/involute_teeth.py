@@ -29,7 +29,7 @@ satellite_shift = partial(
     step=0.05,
     ge=-2,
     le=3,
-    help="In modules, outwards.",
+    help="Profile shift of the satellite, in modules, positive outwards.",
 )
 ring_shift = partial(
     quantity,
@@ -38,8 +38,9 @@ ring_shift = partial(
     step=0.05,
     ge=-2,
     le=3,
-    help="In modules, outwards: a positive one makes its spaces wider, its tip and root circles "
-    "larger. Where the ring's teeth are counted below 0 it has the other sign.",
+    help="Profile shift of the ring, in modules, positive outwards: a positive shift makes the "
+    "ring's spaces wider and its tip and root circles larger. Conventions with negative numbers of "
+    "ring teeth use the opposite sign.",
 )
 """Fields that are optional in some requests."""
 
@@ -54,50 +55,50 @@ class InvoluteTeethFields(RequestModel, group="gear"):
     satellite_addendum: Maybe[float] = quantity(
         "Addendum of the satellite", "h_as", step=0.05, ge=HEIGHTS[0], le=HEIGHTS[1]
     )
-    """In modules, above its shifted reference circle."""
+    """Addendum of the satellite above its shifted reference circle, in modules."""
     ring_addendum: Maybe[float] = quantity(
         "Addendum of the ring", "h_ar", step=0.05, ge=HEIGHTS[0], le=HEIGHTS[1]
     )
-    """In modules, inside its shifted reference circle."""
+    """Addendum of the ring inside its shifted reference circle, in modules."""
     satellite_tip_radius_mm: Maybe[Size] = quantity(
         "Tip radius of the satellite", "r_as", step=0.5, advanced=True
     )
-    """In place of its addendum."""
+    """Tip radius of the satellite, given instead of its addendum."""
     ring_tip_radius_mm: Maybe[Size] = quantity(
         "Tip radius of the ring", "r_ar", step=0.5, advanced=True
     )
-    """In place of its addendum."""
+    """Tip radius of the ring, given instead of its addendum."""
     dedendum: Maybe[float] = quantity("Dedendum", "h_f", step=0.05, ge=0.8, le=1.6, advanced=True)
-    """Of the hob that makes the satellite, in modules; 1.25 where not given."""
+    """Dedendum that the hob cuts on the satellite, in modules; 1.25 if not given."""
     rack_tip_radius: Maybe[float] = quantity(
         "Tip radius of the hob", "ρ_f", step=0.02, ge=0, le=0.6, advanced=True
     )
-    """In modules; 0.38, or as much as there is room for, where not given."""
+    """Radius at the tip of the hob, in modules; 0.38, or the largest that there is room for, if not
+    given."""
     cutter_teeth: Maybe[Whole] = quantity("Teeth of the cutter", "z₀", ge=6, le=1000)
-    """Of the shaper cutter that makes the ring; without it the ring's root is assumed, and its
-    flanks are not checked."""
+    """Number of teeth of the shaper cutter that makes the ring; without it the ring's root is
+    assumed, and its flanks are not checked."""
     cutter_profile_shift: Maybe[float] = quantity(
         "Profile shift of the cutter", "x₀", step=0.05, ge=-1, le=1, advanced=True
     )
-    """In modules; 0 where not given."""
+    """Profile shift of the shaper cutter, in modules; 0 if not given."""
     cutter_addendum: Maybe[float] = quantity(
         "Addendum of the cutter", "h_a0", step=0.05, ge=0.8, le=1.6, advanced=True
     )
-    """In modules; 1.25 where not given."""
+    """Addendum of the shaper cutter, in modules; 1.25 if not given."""
     satellite_material: Maybe[Material] = quantity("Satellite material")
-    """A name of the table of materials, or values; that of the holes where these have one."""
+    """Name in the table of materials, or values; the material of the holes if not given."""
     ring_material: Maybe[Material] = quantity("Ring material")
-    """A name of the table of materials, or values; structural steel where not given."""
+    """Name in the table of materials, or values; structural steel if not given."""
     face_load_factor: Maybe[float] = quantity(
         "Face load factor", "K_Hβ", step=0.05, advanced=True, ge=1, le=10
     )
-    """Factor on the force for stresses, as it is not the same along the width; 1 where not
-    given."""
+    """Factor on the force for stresses, as the load is uneven along the width; 1 if not given."""
     pair_stiffness_N_per_mm: Maybe[Size] = quantity(
         "Stiffness of a pair", "k", step=10_000, advanced=True
     )
-    """Along the line of action, for the pairs that carry; 14 N/(mm·µm) of the width where not
-    given."""
+    """Stiffness of a pair of teeth along the line of action, from which the number of carrying
+    pairs follows; 14 N/(mm·µm) times the width if not given."""
 
 
 class InvoluteGeometryOut(ResponseModel):
@@ -105,48 +106,72 @@ class InvoluteGeometryOut(ResponseModel):
 
     operating_pressure_angle_deg: float = result("Operating pressure angle.", symbol="α_w")
     eccentricity_mm: float = result(
-        "The eccentricity, that without backlash where none is given.", symbol="e"
+        "Eccentricity; if none is given, the one without backlash.", symbol="e"
     )
     eccentricity_without_backlash_mm: float = result(
-        "At which teeth fill their spaces.", symbol="e₀"
+        "Eccentricity at which the teeth fill their spaces.", symbol="e₀"
     )
     normal_backlash_mm: float = result(
-        "Between the idle flanks, along their normal; below 0 the teeth press.", symbol="j_n"
+        "Distance between the idle flanks along their normal; the teeth press if it is negative.",
+        symbol="j_n",
     )
     backlash_arcmin: float = result(
-        "By how much the satellite can turn in the ring, and the output with it.", symbol="j_n/r_bs"
+        "Angle through which the satellite, and with it the output, can turn in the ring.",
+        symbol="j_n/r_bs",
     )
-    satellite_tip_radius_mm: float = result("Of the satellite.", symbol="r_as")
-    ring_tip_radius_mm: float = result("Of the ring.", symbol="r_ar")
-    satellite_root_radius_mm: float = result("Of the satellite.", symbol="r_fs")
-    ring_root_radius_mm: float = result("Of the ring; assumed without a cutter.", symbol="r_fr")
-    tip_clearance_satellite_mm: float = result("From the satellite's tip to the ring's root.")
-    tip_clearance_ring_mm: float = result("From the ring's tip to the satellite's root.")
-    satellite_tip_thickness_mm: float = result("Of the satellite's teeth at the tip.")
-    ring_tip_thickness_mm: float = result("Of the ring's teeth at the tip.")
+    satellite_tip_radius_mm: float = result("Tip radius of the satellite.", symbol="r_as")
+    ring_tip_radius_mm: float = result("Tip radius of the ring.", symbol="r_ar")
+    satellite_root_radius_mm: float = result("Root radius of the satellite.", symbol="r_fs")
+    ring_root_radius_mm: float = result(
+        "Root radius of the ring; assumed if no cutter is given.", symbol="r_fr"
+    )
+    tip_clearance_satellite_mm: float = result(
+        "Clearance from the satellite's tip to the ring's root."
+    )
+    tip_clearance_ring_mm: float = result("Clearance from the ring's tip to the satellite's root.")
+    satellite_tip_thickness_mm: float = result(
+        "Thickness of the satellite's teeth at the tip circle."
+    )
+    ring_tip_thickness_mm: float = result("Thickness of the ring's teeth at the tip circle.")
     contact_ratio: float = result("Length of the path of contact over the base pitch.", symbol="ε")
     start_roll_satellite: float = result(
         "Tangent of the satellite's pressure angle at the start of the path.", symbol="τ₁"
     )
     form_roll_satellite: float = result(
-        "From which on its flank is an involute; below 0 it is undercut.", symbol="τ_F"
+        "Tangent of the pressure angle above which the satellite's flank is an involute; the "
+        "satellite is undercut if it is negative.",
+        symbol="τ_F",
     )
     end_roll_ring: float = result("Tangent of the ring's pressure angle at the end of the path.")
     form_roll_ring: Maybe[float] = result(
-        "Up to which its flank is an involute; where the cutter is given."
+        "Tangent of the pressure angle up to which the ring's flank is an involute, if the "
+        "cutter is given."
     )
     tips_overlap_all_round: bool = result(
-        "Whether the satellite's tip circle has the ring's in it."
+        "True if the satellite's tip circle encloses the ring's tip circle."
     )
     tip_interference_G: Maybe[float] = result(
-        "Room of the tips beside the path, in radians times teeth; where the tip circles cross.",
+        "Tip interference value G, in radians times teeth, which has to be at least 0; absent "
+        "if the tip circles do not cross.",
         symbol="G",
     )
-    tip_gap_mm: Maybe[float] = result("About how wide the gap there is.")
-    reduced_radius_start_mm: Maybe[float] = result("Of curvature at the start of the path.")
-    reduced_radius_end_mm: Maybe[float] = result("Of curvature at the end of the path.")
-    pitch_point_on_path: bool = result("Whether the flanks roll on each other somewhere.")
-    satellite_undercut: bool = result("Whether the hob cuts away a part of the involute.")
+    tip_gap_mm: Maybe[float] = result(
+        "Approximate gap between the tips at the crossing of the tip circles; absent if the "
+        "circles do not cross."
+    )
+    reduced_radius_start_mm: Maybe[float] = result(
+        "Radius of relative curvature at the start of the path of contact."
+    )
+    reduced_radius_end_mm: Maybe[float] = result(
+        "Radius of relative curvature at the end of the path of contact."
+    )
+    pitch_point_on_path: bool = result(
+        "True if the pitch point, at which the flanks roll without sliding, lies on the path of"
+        " contact."
+    )
+    satellite_undercut: bool = result(
+        "True if the hob cuts away a part of the satellite's involute."
+    )
 
     @classmethod
     def values(cls, result: InvolutePair, run_time_us: float | None = None, **given: Any) -> Values:
@@ -170,12 +195,16 @@ class RootStressOut(ResponseModel):
     """Root of the satellite's teeth under the force at the tip of one tooth."""
 
     root_chord_mm: float = result("Chord of the critical section.", symbol="s_Fn")
-    fillet_radius_mm: float = result("Radius of the fillet there.", symbol="ρ_F")
-    moment_arm_mm: float = result("Arm of the force.", symbol="h_Fe")
-    form_factor: float = result("By the arm and the chord.", symbol="Y_F")
-    stress_correction: float = result("By the notch.", symbol="Y_S")
-    load_angle_deg: float = result("Of the force against the tooth.", symbol="α_Fen")
-    root_stress_one_pair_MPa: float = result("Of one pair that carries all.", symbol="σ_F")
+    fillet_radius_mm: float = result("Radius of the fillet at the critical section.", symbol="ρ_F")
+    moment_arm_mm: float = result(
+        "Lever arm of the force about the critical section.", symbol="h_Fe"
+    )
+    form_factor: float = result("Form factor, from lever arm and chord.", symbol="Y_F")
+    stress_correction: float = result("Stress correction factor, from the notch.", symbol="Y_S")
+    load_angle_deg: float = result("Angle of the force against the tooth.", symbol="α_Fen")
+    root_stress_one_pair_MPa: float = result(
+        "Root stress if one pair carries the whole load.", symbol="σ_F"
+    )
 
     @classmethod
     def values(cls, result: RootStress, run_time_us: float | None = None, **given: Any) -> Values:
@@ -189,16 +218,19 @@ class InvoluteStressesOut(ResponseModel):
     """Stresses of involute teeth by the torque of a satellite, with one pair carrying all."""
 
     pressure_one_pair_start_MPa: Maybe[float] = result(
-        "Largest contact pressure, at the start of the path; where it starts on an involute."
+        "Largest contact pressure, at the start of the path of contact; absent if the path does"
+        " not start on an involute."
     )
-    pressure_one_pair_end_MPa: Maybe[float] = result("Contact pressure at the end of the path.")
+    pressure_one_pair_end_MPa: Maybe[float] = result(
+        "Contact pressure at the end of the path of contact."
+    )
     iso_pressure_at_pitch_point_MPa: Maybe[float] = result(
-        "Contact pressure at the pitch point, as ISO 6336-2 has it: to compare, it need not be on "
-        "the path."
+        "Contact pressure at the pitch point by ISO 6336-2, for comparison, as the pitch point "
+        "need not lie on the path of contact."
     )
-    normal_force_N: float = result("Along the line of action.", symbol="F_bn")
-    tangential_force_N: float = result("Across the crank.")
-    radial_force_N: float = result("Along the crank, to the axis.")
+    normal_force_N: float = result("Force along the line of action.", symbol="F_bn")
+    tangential_force_N: float = result("Component of the force across the crank.")
+    radial_force_N: float = result("Component of the force along the crank, towards the axis.")
     root: Maybe[RootStressOut] = None
 
     @classmethod

@@ -77,18 +77,19 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
     crank_angle_deg: list[Angle] = quantity(
         "Crank angles", "φ", default=[0.0], min_length=1, max_length=MAX_POSITIONS
     )
-    """Crank angles of the positions; the curve of the lag is taken at the first."""
+    """Crank angles of the section `positions`; the curve of the lag is calculated at the first
+    one."""
     torques_Nm: Maybe[list[Torque]] = quantity(
         "Torques", "T", min_length=1, max_length=MAX_POSITIONS
     )
-    """Torques of the curve of the lag, negative in reverse; shares of the load where not given."""
+    """Torques of the curve of the lag, negative in reverse; shares of the load if not given."""
     include: list[Section] = Field(
         default=["positions"],
         min_length=1,
         max_length=7,
-        description="Results: what is not named is not computed. `pressure` is that of every pair, "
-        "in the positions and over the turn; `worked` says how the numbers of those two were got, "
-        "of the positions where it is asked alone.",
+        description="Results; only those that are named are computed. `pressure` adds the "
+        "pressure of every pair to positions and turn; `worked` adds the worked steps"
+        " of these two, or of the positions if it is named alone.",
     )
 
     def refuse_beyond(self, settings: Settings) -> None:

@@ -118,25 +118,26 @@ class MechanismFields(RequestModel, group="mechanism"):
     ratio: Maybe[float] = quantity(
         "Ratio", "u", step=1, schema={"anyOf": [{"minimum": 1}, {"maximum": -1}]}, ge=-1e9, le=1e9
     )
-    """Speed of the crank over that of the pins while the ring stands still, u = z₂/(z₃ − z₂), at
-    least 1; a sign is that of the pins, which turn the other way."""
+    """Speed of the crank over that of the pins with the ring at rest, u = z₂/(z₃ − z₂), at least 1.
+    A negative sign, for pins that turn opposite to the crank, as they always do, is accepted and
+    ignored."""
     output_ratio: Maybe[float] = quantity("Ratio of the output", "i", step=1, ge=2, le=1e9)
-    """Where the ring is the output: speed of the crank over that of the ring, i = u + 1."""
+    """Speed of the crank over that of the ring, i = u + 1, if the ring is the output."""
     satellite_teeth: Maybe[Whole] = quantity("Satellite teeth", "z₂", step=1, ge=1, le=10**6)
-    """Number of teeth of a satellite; gives the ratio and the assembly angles."""
+    """Number of teeth of a satellite, from which the ratio and the assembly angles follow."""
     ring_teeth: Maybe[Whole] = quantity("Ring teeth", "z₃", step=1, ge=2, le=10**6)
-    """Number of teeth of the ring, more than the satellite has."""
+    """Number of teeth of the ring, larger than that of the satellite."""
     output: Literal["pins", "ring", "both", "coupling", "crankshafts"] = quantity(
         "Output", default="pins", advanced=True
     )
-    """The pins while the ring stands still, the ring while the pins do, or both; or two shafts an
-    eccentricity apart that the pins couple, without a ring. A reducer whose crankshafts drive the
-    output, as an RV, is another mechanism, which is not calculated."""
+    """Output link: the pins with the ring at rest, the ring with the pins at rest, or both; or a
+    coupling, in which pins connect two shafts an eccentricity apart, without a ring. RV reducers,
+    whose crankshafts drive the output, are not calculated."""
     initial_crank_angle_deg: Angle = quantity(
         "Initial wave angle", "φ₀", default=0.0, step=15, advanced=True
     )
-    """0° is the sign of Yanchevskiy 2021; 180° that of Yanchevsky 2018, and also what reversing the
-    torque does."""
+    """Wave angle at the crank angle 0: 0° by the sign convention of Yanchevskiy 2021, 180° by that
+    of Yanchevsky 2018; 180° also equals a reversed torque."""
 
     ASSUMED: ClassVar[tuple[str, ...]] = ("satellites",)
 
@@ -340,20 +341,21 @@ class PinContactFields(ContactFields, group="contact"):
     hole_radius_mm: Maybe[Size] = hole_radius()  # type: ignore[assignment]
     eccentricity_mm: Maybe[Size] = eccentricity()
     hole_clearance_mm: Maybe[Deviation] = quantity("Clearance", "c", step=0.005)
-    """Radial clearance: hole radius − pin radius − eccentricity; negative is interference, and 0
-    says that perfect parts are meant. Forces and stresses hang on it more than on most sizes."""
+    """Radial clearance: hole radius − pin radius − eccentricity. A negative value is interference,
+    and 0 means perfect parts. Forces and stresses depend on it more than on most sizes."""
     fit: Maybe[str] = quantity("Fit", schema={"pattern": FIT, "x-options": USUAL_FITS})
-    """ISO 286 classes of the hole and of what touches it, as H7/f7, instead of the clearance: half
-    of the mean clearance of the two diameters."""
+    """ISO 286 classes of hole and pin (or sleeve), such as H7/f7, given instead of the clearance,
+    which is half of the mean clearance of the two diameters."""
     dynamic_factor: Maybe[Size] = quantity(  # type: ignore[assignment]
         "Application factor", "K_A", step=0.05, schema={"deprecated": True}
     )
-    """Older place of `load.application_factor`, which it is read as."""
+    """Older place of `load.application_factor`, as which it is read."""
     distribution_factor: float = distribution_factor(ge=1, le=1e12)
     distribution_of: Maybe[SharedBy] = quantity("Uneven share of", advanced=True)
-    """Of satellites, of which one carries so many times its part of the torque, at most all of it,
-    and the others evenly what is left; or of the pins of each, of which no bearing feels anything.
-    Where it is not given, of satellites if there are several."""
+    """Parts among which the load-sharing factor states uneven sharing. Satellites: one satellite
+    carries this multiple of its even share of the torque, at most all of it, and the others carry
+    the rest evenly. Pins: the sharing is uneven among the pins of each satellite, and bearings do
+    not feel it. The default is satellites if there are several, else pins."""
 
     @model_validator(mode="after")
     def _fit_says_the_clearance(self) -> Self:
@@ -488,7 +490,7 @@ class BindingOut(PairOut):
     """Pair that limits the room."""
 
     side: Literal["driving", "reverse", "radial"] = result(
-        "In which sense of the output it holds; radial where in none."
+        "Sense of the output in which the pair limits the rotation; radial if in neither."
     )
 
 
@@ -496,28 +498,29 @@ class FitOut(ResponseModel):
     """Fit of pins in their holes by geometry, before any force."""
 
     state: Literal["fits", "binds_in_turning", "does_not_fit", "no_bound"] = result(
-        "Whether there is room at all crank angles, at some, or at none; no_bound where the holes "
-        "do not hold their pins."
+        "State of the fit: room at all crank angles (fits), at some (binds_in_turning), at none"
+        " (does_not_fit), or holes that do not bound their pins (no_bound)."
     )
     least_room_mm: Maybe[float] = result(
-        "Least room over the turn: by how much every pin might grow, or below 0 must shrink, until "
-        "it just fits; absent where holes do not hold their pins.",
+        "Least room over the turn: amount by which all pins might grow in radius until the "
+        "parts just fit, negative if they have to shrink; absent if holes do not bound their "
+        "pins.",
         equation="max over θ of min(C − |P·exp(−iθ) − H|)",
     )
     least_room_crank_angle_deg: Maybe[float] = result(
-        "First crank angle at which it is least; absent where it is the same at all."
+        "First crank angle with the least room; absent if the room is the same at all crank angles."
     )
     binding: Maybe[list[BindingOut]] = result(
-        "The pairs that limit it there; absent where all do alike."
+        "Pairs that limit the room at that crank angle; absent if all pairs limit it alike."
     )
     needed_hole_radius_mm: Maybe[float] = result(
-        "Radius of all holes with which the parts just fit, where they do not."
+        "Radius of all holes with which the parts would just fit, if they do not fit."
     )
     blocked_crank_deg: Maybe[list[list[float]]] = result(
-        "Stretches of the crank's turn in which the parts jam, where they go together in others."
+        "Ranges of crank angle in which the parts jam, if they go together in others."
     )
     renumbered: Maybe[list[int]] = result(
-        "By how many holes each satellite is put on the pins further, where one is."
+        "Number of holes by which each satellite is put on the pins further, if any is."
     )
 
     @classmethod

@@ -29,30 +29,33 @@ class MembersOut(ResponseModel):
 
     BESIDE = ("output", *SPEEDS)
 
-    output: Output = result("Which is the output.")
+    output: Output = result("Output link.")
     output_ratio: Maybe[float] = result(
-        "Speed of the crank over that of the output, negative where they turn apart; of a coupling "
-        "that of its shafts; absent where both are the output.",
+        "Speed of the crank over that of the output, negative if they turn in opposite "
+        "directions; ratio of the shafts of a coupling; absent if ring and pins are both "
+        "outputs.",
         symbol="i",
     )
     crank_speed_rpm: Maybe[float] = result("Speed of the crank.", symbol="n₁")
     carrier_speed_rpm: Maybe[float] = result(
-        "Speed of the pins, with which the satellites turn.",
+        "Speed of the pins, and of the satellites, which turn with them.",
         symbol="n_c",
         equation="n₁ + u·n_c = (u + 1)·n_r",
     )
     ring_speed_rpm: Maybe[float] = result("Speed of the ring.", symbol="n_r")
     relative_speed_rpm: Maybe[float] = result(
-        "Speed of the crank against the pins: of the satellites’ bearings, of sliding and of load "
-        "cycles.",
+        "Speed of the crank relative to the pins, which is the speed of the satellites' "
+        "bearings, of sliding and of load cycles.",
         symbol="n",
     )
     crank_to_ring_speed_rpm: Maybe[float] = result(
-        "Speed of the crank against the ring, from which the calculations start.", symbol="n₁ − n_r"
+        "Speed of the crank relative to the ring, by which the mechanism is calculated.",
+        symbol="n₁ − n_r",
     )
     pin_torque_Nm: float = result("Torque on the pins.", symbol="T")
     crank_torque_Nm: float = result(
-        "Torque on the crank of a reducer without losses: the motor gives what these take besides.",
+        "Torque on the crank of a reducer without losses; the motor has to supply the losses as"
+        " well.",
         symbol="T₁",
         equation="T/u",
     )
@@ -60,7 +63,7 @@ class MembersOut(ResponseModel):
     crank_power_W: Maybe[float] = result("Power that enters by the crank.", symbol="P₁")
     carrier_power_W: Maybe[float] = result("Power that enters by the pins.", symbol="P_c")
     ring_power_W: Maybe[float] = result("Power that enters by the ring.", symbol="P_r")
-    power_balance_W: Maybe[float] = result("Sum of the powers: 0 but for rounding.")
+    power_balance_W: Maybe[float] = result("Sum of the powers, which is 0 within rounding.")
     accuracy: AccuracyOut
 
     @classmethod

@@ -35,9 +35,9 @@ class MeshFields(GearFields, group="load"):
     """A mesh and its torque."""
 
     torque_Nm: float = quantity("Torque", "M₁", step=1, ge=-1e12, le=1e12)
-    """Torque on the central wheel; its sign chooses the loaded flanks."""
+    """Torque on the central wheel; the sign chooses the loaded flanks."""
     reference_z_mm: Coordinate = quantity("Place of C", "l", step=1)
-    """Place of the bearing C along the axis, from the precession centre."""
+    """Position of the bearing C along the axis, from the centre of precession."""
 
     _sizes = field_validator("torque_Nm", "reference_z_mm")(no_dust)
 
@@ -88,7 +88,7 @@ class MeshingLoadResponse(WorkedResponse):
         "Moment about the point C, X, Y, Z.", symbol="M_C", equation="2020, eq. 15 to 17"
     )
     max_line_load_N_per_mm: float = result(
-        "Largest load per length.", symbol="q", equation="2020, eq. 8"
+        "Largest force per length of the contact lines.", symbol="q", equation="2020, eq. 8"
     )
     total_length_mm: float = result(
         "Length of all contact lines together.", symbol="Σs", equation="2020, eq. 4"

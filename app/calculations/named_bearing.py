@@ -16,8 +16,8 @@ bearing_name = partial(
     "Bearing",
     schema={"x-options": [*BEARINGS]},
     max_length=40,
-    help="A name of the table of bearings, as 686: it says the sizes and the lowest load ratings "
-    "of its makers; what is typed beside it counts instead.",
+    help="Name in the table of bearings, such as 686, from which the sizes and the lowest load "
+    "ratings of the makers are taken; values that are given as well replace them.",
 )
 
 

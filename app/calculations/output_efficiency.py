@@ -66,13 +66,13 @@ class FrictionFields(RequestModel, group="friction"):
     coefficient: float = quantity(
         "Friction coefficient", "μ", step=0.01, schema=NO_DUST, ge=0, le=10
     )
-    """Friction coefficient of the surfaces that slide."""
+    """Friction coefficient of the sliding surfaces."""
     sleeve: bool = quantity("Sleeves on the pins", default=False)
-    """Whether sleeves roll in the holes and slide on the pins; the pin diameter is needed."""
+    """True if sleeves roll in the holes and slide on the pins; the pin diameter is needed then."""
     wear_rate_mm3_per_Nm: Maybe[Size] = quantity("Wear coefficient", "k", step=1e-9)
     """Worn volume over force and sliding distance (Archard)."""
     life_h: Maybe[Size] = quantity("Life", "t", step=100)
-    """Time in which it wears."""
+    """Operating time over which the wear is calculated."""
 
     _coefficient_size = field_validator("coefficient")(no_dust)
 
@@ -99,7 +99,9 @@ class OutputEfficiencyRequest(CurveFields, DesignFields):
     friction: Maybe[WornFields] = None
     pin: Maybe[SleevedPinFields] = None
     include: list[Literal["curves", "worked"]] = Field(
-        default=[], max_length=2, description="Optional results: what is not named is not computed."
+        default=[],
+        max_length=2,
+        description="Optional results; only those that are named are computed.",
     )
 
     def cost(self) -> float:
@@ -144,8 +146,10 @@ class LossCurvesOut(ResponseModel):
     """Loss and efficiency over one turn of the crank."""
 
     crank_angle_deg: list[float] = result("Crank angle", "φ", "Crank angles, evenly spaced.")
-    loss_W: list[float] = result("Loss", "P", "Power that friction takes, μ·v·ΣF.")
-    efficiency: list[float] = result("Efficiency", "η", "Output over output and loss.")
+    loss_W: list[float] = result("Loss", "P", "Power loss by friction, μ·v·ΣF.")
+    efficiency: list[float] = result(
+        "Efficiency", "η", "Output power over the sum of output power and loss."
+    )
 
 
 class OutputEfficiencyResponse(AssumingResponse):
@@ -153,17 +157,17 @@ class OutputEfficiencyResponse(AssumingResponse):
 
     forces: ForcesUsed = forces_used()
     relative_speed_rpm: float = result(
-        "Relative speed", "n", "Speed of the crank against the output link, n₁·(1 + 1/u)."
+        "Relative speed", "n", "Speed of the crank relative to the pins, n₁·(1 + 1/u)."
     )
     sliding_speed_m_per_s: float = result(
         "Sliding speed",
         "v",
-        "Of the pin in the hole, e·ω; with a sleeve of the pin in it, e·ω·r_p/r_s.",
+        "Sliding speed of the pin in the hole, e·ω, or of the pin in its sleeve, e·ω·r_p/r_s.",
     )
     sleeve_speed_rpm: Maybe[float] = result(
-        "Speed of the sleeves", "n_s", "Of the sleeves against their pins, n·e/r_s."
+        "Speed of the sleeves", "n_s", "Speed of the sleeves relative to their pins, n·e/r_s."
     )
-    output_power_W: float = result("Output power", "P₂", "T·ω₁/u.")
+    output_power_W: float = result("Output power", "P₂", "Power of the output, T·ω₁/u.")
     peak_force_N: float = result("Peak force", "F_max", "Largest contact force over the turn.")
     mean_total_force_ratio: float = result(
         "Mean total force",
@@ -171,30 +175,37 @@ class OutputEfficiencyResponse(AssumingResponse):
         "Mean over the turn of the sum of all contact forces, over F₀ = T/R; 4/π for linear "
         "contacts and an even number of evenly spaced phases.",
     )
-    mean_loss_W: float = result("Mean loss", "P", "Mean of μ·v·ΣF over the turn.")
+    mean_loss_W: float = result("Mean loss", "P", "Mean power loss over the turn, of μ·v·ΣF.")
     efficiency: float = result(
-        "Efficiency", "η", "Of the output mechanism alone: P₂/(P₂ + P) with the mean loss."
+        "Efficiency",
+        "η",
+        "Efficiency of the output mechanism alone, P₂/(P₂ + P) with the mean loss.",
     )
-    min_efficiency: float = result("Least efficiency", "η_min", "Least over the turn.")
-    max_efficiency: float = result("Largest efficiency", "η_max", "Largest over the turn.")
+    min_efficiency: float = result("Least efficiency", "η_min", "Least efficiency over the turn.")
+    max_efficiency: float = result(
+        "Largest efficiency", "η_max", "Largest efficiency over the turn."
+    )
     peak_pv_MPa_m_per_s: float = result(
         "Peak pv",
         "(pv)_max",
-        "Largest force over the projected area 2·r·b, times e·ω, as limits of bushes mean it: "
-        "a bare pin touches its wider hole along a narrow strip, where it is higher.",
+        "Largest force over the projected area 2·r·b, times e·ω, as in the limits of bushes. A "
+        "bare pin touches its wider hole along a narrow strip, where the value is higher.",
     )
     mean_pv_MPa_m_per_s: float = result(
-        "Mean pv", "(pv)_m", "The same with the mean force of all pairs over the turn."
+        "Mean pv",
+        "(pv)_m",
+        "Mean force of all pairs over the turn over the projected area 2·r·b, times e·ω.",
     )
     pin_wear_mm: Maybe[float] = result(
         "Wear of the pin",
         "h_in",
-        "Depth where it is deepest, k·F_max·e/(b·r) in each turn of the relative speed.",
+        "Largest depth of wear of the pin, k·F_max·e/(b·r) per turn of the relative speed.",
     )
     hole_wear_mm: Maybe[float] = result(
         "Wear of the hole",
         "h_out",
-        "The same of the hole, k·F_max·e/(b·r_out); absent with sleeves, which roll in it.",
+        "Largest depth of wear of the hole, k·F_max·e/(b·r_out) per turn of the relative speed; "
+        "absent with sleeves, which roll in the hole.",
     )
     friction_couple: float = result(
         "Couple of the friction",

@@ -49,21 +49,22 @@ class PinBoltFields(PartFields, group="pin"):
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("preload_N",), ("tightening_torque_Nm",), ()),)
 
     core_diameter_mm: Size = quantity("Core of the bolt", "d_3", step=0.1)
-    """Core diameter of its thread: of M3 2.46, M4 3.24, M5 4.13, M6 4.92, M8 6.65 mm."""
+    """Core diameter of the bolt's thread: 2.46 mm for M3, 3.24 for M4, 4.13 for M5, 4.92 for M6,
+    6.65 for M8."""
     preload_N: Maybe[Size] = quantity("Preload", "F_v", step=100)
-    """Force of the bolt as it is tightened; without one the bolt alone is taken to be the pin."""
+    """Preload of the bolt after tightening; without a preload the bolt alone counts as the pin."""
     tightening_torque_Nm: Maybe[Size] = quantity("Tightening torque", "T_A", step=0.5)
-    """Torque of the wrench instead: the preload is T_A/(0.2·d)."""
+    """Tightening torque, given instead of the preload, which is T_A/(0.2·d)."""
     preload_scatter: float = quantity(
         "Scatter of the preload", "α_A", default=1.8, step=0.1, ge=1, le=10
     )
-    """Largest over least preload of bolts tightened so: 1.6 to 2 with a torque wrench."""
+    """Largest over least preload by the way of tightening; 1.6 to 2 with a torque wrench."""
     friction_coefficient: float = quantity(
         "Friction on the carrier", "μ", default=0.15, step=0.01, ge=0.01, le=1
     )
-    """Of the spacer on the carrier, which keeps it from slipping."""
+    """Friction coefficient of the spacer on the carrier, which keeps the spacer from slipping."""
     bolt_material: Maybe[Material] = quantity("Material of the bolt")
-    """A name of the table of materials, or values; steel of class 8.8 where not given."""
+    """Name in the table of materials, or values; steel of class 8.8 if not given."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Assumed values, with the material of the bolt."""
@@ -111,12 +112,12 @@ class HeldPinFields(RequestModel, group="pin"):
 
     satellite_positions_mm: list[Size] = pin_places()
     support: Support = quantity("Support", default="cantilever")
-    """Held at one end (cantilever), at both ends free to tilt (supported), at both ends built in
-    (fixed), or at one with a ring that joins the other ends and is held by nothing else (tie ring);
-    the truth of a cage lies between supported and fixed, a tie ring promises less."""
+    """Support of the pin: one end fixed (cantilever), both ends free to tilt (supported), both ends
+    built in (fixed), or one end fixed and the other ends joined by a free ring (tie ring). The true
+    support of a cage lies between supported and fixed; a tie ring supports less."""
     span_mm: Maybe[Size] = quantity("Span", "L", step=1)
-    """Distance of the two supports, or of the tie ring's middle from the carrier; not for a
-    cantilever."""
+    """Distance between the two supports, or from the carrier to the middle of the tie ring; not for
+    a cantilever."""
     ring_joint: Maybe[RingJoint] = quantity("Joint of the tie ring")
-    """Whether the pins' ends turn freely in the tie ring (pinned, as where it is not given), or are
-    clamped in it."""
+    """Joint of the pins' ends to the tie ring: free to turn (pinned), which is the default, or
+    clamped."""

@@ -21,42 +21,45 @@ class RollersFields(NamedBearingFields, group="rollers"):
     kind: Maybe[RollerKind] = quantity("Rolling elements")
     """Balls, cylindrical rollers or needles."""
     bore_diameter_mm: Maybe[Size] = quantity("Bore", "d", step=1)
-    """Of the bearing: the diameter of the pins."""
+    """Bore diameter of the bearing, equal to the pin diameter."""
     outer_diameter_mm: Maybe[Size] = quantity("Outer diameter", "D", step=1)
-    """Of the bearing: twice the radius that touches the holes."""
+    """Outer diameter of the bearing, twice the radius that touches the holes."""
     width_mm: Maybe[Size] = quantity("Width", "B", step=0.5)
-    """Of one bearing; a contact is no longer than its bearings are."""
+    """Width of one bearing; the contact with the hole is not longer than the bearings."""
     per_satellite: Whole = quantity(
         "Bearings side by side", "n", default=1, ge=1, le=20, advanced=True
     )
-    """On each pin under each satellite; they share its force evenly."""
+    """Number of bearings on each pin under each satellite, which share the force evenly."""
     dynamic_rating_N: Maybe[Size] = quantity("Dynamic load rating", "C", step=100)
-    """Basic dynamic load rating of one of them, for the life."""
+    """Basic dynamic load rating of one bearing, for the life."""
     static_rating_N: Maybe[Size] = quantity("Static load rating", "C₀", step=100)
-    """Basic static load rating of one of them, for the static safety."""
+    """Basic static load rating of one bearing, for the static safety."""
     ratings: Ratings = quantity("Ratings of", default="bearing")
-    """A bearing, whose ratings hold in a rigid seat: what is left without one is taken, a lower
-    bound; or a track roller, whose maker has that in them."""
+    """Kind of bearing to which the ratings apply: a bearing, whose ratings hold in a rigid seat, so
+    that a lower bound without a seat is used; or a track roller, whose ratings by the maker include
+    the missing seat."""
     rolling_elements: Maybe[Whole] = quantity("Number of elements", "Z", ge=3, le=200)
-    """Balls or rollers of a bearing: the more, the less of its ratings is left."""
+    """Number of rolling elements of a bearing; more elements leave less of the ratings without a
+    seat."""
     max_radial_load_N: Maybe[Size] = quantity("Largest load", "F_r", step=100, advanced=True)
-    """That the maker of a track roller allows, by the bending of its outer ring."""
+    """Largest load of a track roller by its maker, limited by the bending of the outer ring."""
     max_static_radial_load_N: Maybe[Size] = quantity(
         "Largest static load", "F_0r", step=100, advanced=True
     )
-    """The same at the peak torque."""
+    """Largest static load of a track roller by its maker, compared with the load at the peak
+    torque."""
     radial_clearance_mm: Maybe[float] = quantity(
         "Clearance of the bearings", "G_r", step=0.005, ge=0, le=LARGEST
     )
-    """Radial internal clearance, as catalogues give it: half of it adds to the clearance of pins
+    """Radial internal clearance as stated in catalogues; half of it adds to the clearance of pins
     and holes."""
     friction_coefficient: Maybe[float] = quantity(
         "Friction of the bearings", "μ_b", step=0.0005, ge=0, le=10, advanced=True
     )
-    """At the bore; 0.0015 for balls, 0.002 for cylindrical rollers, 0.003 for needles where not
-    given."""
+    """Friction coefficient of the bearing at its bore; 0.0015 for balls, 0.002 for cylindrical
+    rollers, 0.003 for needles if not given."""
     limiting_speed_rpm: Maybe[Size] = quantity("Limiting speed", "n_lim", step=500, advanced=True)
-    """Of the catalogue; without it the speed is not judged."""
+    """Limiting speed in the catalogue; without it the speed is not judged."""
 
     def said(self, named: NamedBearing, quantity: str) -> Any:
         """Kind of bearing by its rolling elements."""

@@ -15,27 +15,29 @@ class RollersOut(ResponseModel):
         "Speed of an outer ring on its pin, n·e/r_s; absent without an input speed.", symbol="n_s"
     )
     peak_load_N: float = result("Largest load of a roller over the turn.", symbol="F")
-    static_load_N: float = result("The same at the peak torque.", symbol="F_max")
+    static_load_N: float = result("Largest load of a roller at the peak torque.", symbol="F_max")
     equivalent_load_N: float = result("Equivalent load, ⟨Fᵖ⟩^(1/p) over the turn.", symbol="P")
     dynamic_rating_as_roller_N: Maybe[float] = result(
-        "Dynamic rating that is left without a seat about the outer ring.", symbol="C_w"
+        "Dynamic load rating without a seat around the outer ring.", symbol="C_w"
     )
     static_rating_as_roller_N: Maybe[float] = result(
-        "Static rating that is left likewise.", symbol="C_0w"
+        "Static load rating without a seat around the outer ring.", symbol="C_0w"
     )
     life_h: Maybe[float] = result(
-        "Time that 90 % of such rollers reach, (C_w/P)ᵖ million turns.", symbol="L_10h"
+        "Life that 90 % of such rollers reach, (C_w/P)ᵖ million turns.", symbol="L_10h"
     )
     static_safety_factor: Maybe[float] = result(
-        "Static rating that is left over the load at the peak torque.", symbol="S₀"
+        "Static load rating without a seat over the load at the peak torque.", symbol="S₀"
     )
     loss_W: Maybe[float] = result("Mean loss of all rollers.", symbol="P_b")
     added_clearance_mm: float = result(
-        "What they add to the clearance of pins and holes, half of their own.", symbol="G_r/2"
+        "Clearance that the rollers add to that of pins and holes, half of their radial "
+        "internal clearance.",
+        symbol="G_r/2",
     )
-    tilt_mrad: Maybe[float] = result("Largest slope of a pin in them.", symbol="θ")
-    satellite: int = result("Satellite of the roller that is loaded most, from 1.")
-    pin: int = result("Its pin, from 1.")
+    tilt_mrad: Maybe[float] = result("Largest slope of a pin in its rollers.", symbol="θ")
+    satellite: int = result("Number of the satellite whose roller has the largest load, from 1.")
+    pin: int = result("Number of the pin whose roller has the largest load, from 1.")
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
 

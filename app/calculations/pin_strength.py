@@ -64,7 +64,9 @@ class PinStrengthRequest(DesignFields):
     pin: DesignPinFields
     fatigue: Maybe[PinFatigueFields] = None
     include: list[Literal["deflection", "locus", "support_bounds", "worked"]] = Field(
-        default=[], max_length=4, description="Optional results: what is not named is not computed."
+        default=[],
+        max_length=4,
+        description="Optional results; only those that are named are computed.",
     )
 
     @model_validator(mode="after")
@@ -105,42 +107,48 @@ class PinFatigueOut(ResponseModel):
     """
 
     direction_deg: Maybe[float] = result(
-        "Direction of the worst point of the section from the tangential one, towards growing "
-        "pressure angles; absent where the pin rotates.",
+        "Direction of the worst point of the section, measured from the tangential direction "
+        "towards growing pressure angles; absent if the pin rotates.",
         symbol="χ",
     )
-    position_mm: float = result("Its section, from the carrier's face.", symbol="x")
-    max_stress_MPa: float = result("Largest stress there.", symbol="σ_max")
-    min_stress_MPa: float = result("Least stress there.", symbol="σ_min")
+    position_mm: float = result("Distance of the section from the carrier's face.", symbol="x")
+    max_stress_MPa: float = result("Largest stress at the worst point.", symbol="σ_max")
+    min_stress_MPa: float = result("Least stress at the worst point.", symbol="σ_min")
     amplitude_MPa: float = result("Amplitude of the cycle.", symbol="σ_a")
     mean_MPa: float = result("Mean of the cycle.", symbol="σ_m")
     endurance_limit_MPa: float = result("Endurance limit of the pin.", symbol="S_e")
     finite_strength_MPa: Maybe[float] = result(
-        "Strength for the cycles of the life that is asked, where they are fewer than a million: "
-        "it stands for the endurance limit in the safety.",
+        "Strength for the cycles of the required life, if these are fewer than a million; it "
+        "replaces the endurance limit in the safety factor.",
         symbol="S_f",
     )
     factors: Maybe[FactorsOut] = None
-    safety_factor: float = result("By the criterion: all stresses may grow so much.", symbol="n")
+    safety_factor: float = result(
+        "Safety factor by the criterion: factor by which all stresses may grow.", symbol="n"
+    )
     cycles: Maybe[float] = result(
-        "Cycles that it stands, one a turn of the crank against the output; absent within the "
-        "endurance limit.",
+        "Number of cycles to failure, one cycle per turn of the crank relative to the pins; "
+        "absent below the endurance limit.",
         symbol="N",
     )
     life_h: Maybe[float] = result(
-        "The same as time; absent within the endurance limit or without a speed."
+        "Time to failure by that number of cycles; absent below the endurance limit or without "
+        "a speed."
     )
 
 
 class PinDeflectionOut(ResponseModel):
     """Largest deflection and slope in the middle of satellites."""
 
-    satellite: int = result("Number of the satellite where it deflects most, from 1.")
-    deflection_mm: float = result("Largest deflection over the turn.", symbol="w")
-    slope_satellite: int = result("Number of the satellite where it slopes most.")
+    satellite: int = result("Number of the satellite with the largest deflection, from 1.")
+    deflection_mm: float = result(
+        "Largest deflection in the middle of a satellite over the turn.", symbol="w"
+    )
+    slope_satellite: int = result("Number of the satellite with the largest slope, from 1.")
     slope_mrad: float = result(
-        "Largest rotation of the section; of one satellite between two supports as good as "
-        "deflection over distance to the nearer one.",
+        "Largest rotation of the section in the middle of a satellite. For one satellite "
+        "between two supports, its error is that of the deflection over the distance to the "
+        "nearer support.",
         symbol="θ",
     )
 
@@ -150,40 +158,52 @@ class TieRingOut(ResponseModel):
     judged.
     """
 
-    peak_force_N: float = result("Largest force of the ring on a pin.", symbol="X")
+    peak_force_N: float = result("Largest force of the tie ring on a pin.", symbol="X")
     peak_end_moment_Nm: float = result(
-        "Largest moment of the ring on the end of a pin, 0 where the joint is pinned.", symbol="M_L"
+        "Largest moment of the tie ring on the end of a pin; 0 if the joint is pinned.",
+        symbol="M_L",
     )
-    shift_mm: float = result("How far the ring moves in its plane.", symbol="U")
-    turn_mrad: float = result("How far it turns against the carrier.", symbol="ω")
+    shift_mm: float = result("Largest displacement of the tie ring in its plane.", symbol="U")
+    turn_mrad: float = result(
+        "Largest rotation of the tie ring relative to the carrier.", symbol="ω"
+    )
 
 
 class BoltOut(ResponseModel):
     """Bolt through a spacer under the largest loads of the root, as the spacer carries them."""
 
     holds: bool = result(
-        "Whether the preload holds the spacer, which bends then; else the bolt alone is the pin."
+        "True if the preload holds the spacer, which then bends as the pin; otherwise the bolt "
+        "alone is the pin."
     )
     moment_Nm: float = result("Largest bending moment of the spacer.", symbol="M")
-    shear_force_N: float = result("Largest shear force of it.", symbol="V")
+    shear_force_N: float = result("Largest shear force of the spacer.", symbol="V")
     opening_moment_Nm: Maybe[float] = result(
-        "Moment at which it opens under the least preload; absent without a preload."
+        "Moment at which the joint opens under the least preload; absent without a preload."
     )
-    slip_force_N: Maybe[float] = result("Force at which it slips; likewise.")
+    slip_force_N: Maybe[float] = result(
+        "Force at which the spacer slips under the least preload; absent without a preload."
+    )
     bending_amplitude_MPa: float = result(
-        "Bending stress of the bolt while the spacer holds; its thread is not judged."
+        "Bending stress of the bolt while the spacer holds; the thread is not judged."
     )
-    alone_stress_MPa: float = result("Bending stress of the bolt where it takes that moment alone.")
+    alone_stress_MPa: float = result(
+        "Bending stress of the bolt if it carries the largest moment alone."
+    )
 
 
 class MomentLocusOut(ResponseModel):
-    """Bending moment of a section of pin 1 over a turn against the output."""
+    """Bending moment of a section of the worst pin over one turn of the crank relative to the pins:
+    the section of the worst stress cycle, or of the largest moment without fatigue data.
+    """
 
-    position_mm: float = result("The section, from the carrier's face.", symbol="x")
-    crank_angle_deg: list[float] = result("Crank angles.", symbol="φ")
-    tangential_Nm: list[float] = result("Moment by tangential forces.")
-    radial_Nm: list[float] = result("Moment by radial forces.")
-    stress_MPa: list[float] = result("Stress in the worst direction.", symbol="σ")
+    position_mm: float = result("Distance of the section from the carrier's face.", symbol="x")
+    crank_angle_deg: list[float] = result(
+        "Crank angles of the locus, over one turn of the crank relative to the pins.", symbol="φ"
+    )
+    tangential_Nm: list[float] = result("Bending moment of the tangential forces.")
+    radial_Nm: list[float] = result("Bending moment of the radial forces.")
+    stress_MPa: list[float] = result("Bending stress in the worst direction.", symbol="σ")
 
 
 class PinStrengthOut(ResponseModel):
@@ -191,17 +211,24 @@ class PinStrengthOut(ResponseModel):
 
     peak_force_N: float = result("Largest contact force over the turn.", symbol="F_max")
     peak_moment_Nm: float = result("Largest bending moment of any section.", symbol="M")
-    peak_moment_position_mm: float = result("That section, from the carrier's face.", symbol="x")
+    peak_moment_position_mm: float = result(
+        "Distance of the section with the largest bending moment from the carrier's face.",
+        symbol="x",
+    )
     peak_bending_stress_MPa: float = result(
-        "Its stress, M/W; 32·M/(π·d³) of a solid pin.", symbol="σ_b"
+        "Largest bending stress, M/W; 32·M/(π·d³) for a solid pin.", symbol="σ_b"
     )
     peak_shear_force_N: float = result("Largest shear force of any section.", symbol="V")
-    peak_shear_stress_MPa: float = result("Its largest stress, 4/3·V/A of a solid pin.", symbol="τ")
+    peak_shear_stress_MPa: float = result(
+        "Largest shear stress, 4/3·V/A for a solid pin.", symbol="τ"
+    )
     peak_equivalent_stress_MPa: float = result(
         "Largest equivalent stress (Mises) of any section.", symbol="σ_v"
     )
     static_safety_factor: Maybe[float] = result(
-        "Yield strength over it at the peak torque, where that is known.", symbol="S"
+        "Yield strength over the largest equivalent stress at the peak torque; absent if the "
+        "yield strength is not known.",
+        symbol="S",
     )
     fatigue: Maybe[PinFatigueOut] = None
     deflection: Maybe[PinDeflectionOut] = None
@@ -214,7 +241,9 @@ class PinStrengthOut(ResponseModel):
 class SupportBoundOut(PinStrengthOut):
     """Pin in one of the supports that bound the true support of a cage."""
 
-    support: Support = result("At both ends free to tilt (supported), or built in (fixed).")
+    support: Support = result(
+        "Support at both ends: free to tilt (supported), or built in (fixed)."
+    )
 
 
 class PinStrengthResponse(PinStrengthOut, AssumingResponse):
@@ -225,8 +254,9 @@ class PinStrengthResponse(PinStrengthOut, AssumingResponse):
     forces: ForcesUsed = forces_used()
     locus: Maybe[MomentLocusOut] = None
     support_bounds: Maybe[list[SupportBoundOut]] = result(
-        "Of pins held at both ends: free to tilt, then built in, whatever their support is; the "
-        "truth of a cage lies between them, and the worse is on the safe side."
+        "Strength of pins held at both ends, first free to tilt, then built in, for any support"
+        " in the request. The true support of a cage lies between them; the worse result is on "
+        "the safe side."
     )
 
 

@@ -60,7 +60,7 @@ class RealDesignFields(GivingFields, group="contact_law"):
         ge=1e-6,
         le=1,
     )
-    """Share of the torque, in both directions, under which the lost motion is taken."""
+    """Share of the torque, in both directions, under which the lost motion is measured."""
 
     @model_validator(mode="after")
     def _of_a_coupling(self) -> Self:

@@ -66,14 +66,15 @@ pin_circle_radius = partial(
     "Circle of the ring's pins",
     "R_p",
     step=1,
-    help="Radius of the circle of the ring's pins, on which a cycloid disc rolls.",
+    help="Radius of the circle of the ring pins, on which a cycloid disc rolls.",
 )
 ring_pin_radius = partial(
     quantity,
     "Radius of the ring's pins",
     "r_p",
     step=0.5,
-    help="Of the pins, or of their sleeves; with it the roots of a cycloid disc are known.",
+    help="Radius of the ring pins, or of their sleeves; the roots of a cycloid disc follow "
+    "from it.",
 )
 """Fields that are optional in some requests."""
 
@@ -84,15 +85,17 @@ class ModificationFields(PartFields, group="gear"):
     equidistant_mm: Change = quantity(
         "Equidistant modification", "Δ_e", default=0.0, step=0.005, schema=NO_DUST
     )
-    """Radius of the tool less that of the pins: positive makes the disc smaller all around."""
+    """Radius of the tool less that of the ring pins; a positive value makes the disc smaller all
+    around."""
     pin_circle_mm: Change = quantity(
         "Modification of the circle", "Δ_p", default=0.0, step=0.005, schema=NO_DUST
     )
-    """Radius of the tool's circle less that of the pins: negative makes the disc smaller."""
+    """Radius of the tool's circle less that of the ring pins; a negative value makes the disc
+    smaller."""
     rotation_arcmin: float = quantity(
         "Modification by rotation", "δ_r", default=0.0, step=0.5, schema=NO_DUST, ge=0, le=30
     )
-    """By which the flanks are turned to either side; tips and roots are left out."""
+    """Angle by which the flanks are turned to either side; tips and roots are left out."""
 
     _sizes = field_validator("equidistant_mm", "pin_circle_mm", "rotation_arcmin")(no_dust)
 
@@ -116,22 +119,22 @@ class RingPinsFields(RequestModel, group="gear"):
     )
 
     kind: Maybe[Kind] = quantity("Ring")
-    """Involute teeth, pins on which a cycloid disc rolls, or none: its force along the crank is
-    left out."""
+    """Kind of ring: involute teeth, pins on which a cycloid disc rolls, or none, whose force along
+    the crank is left out."""
     ring_pin_circle_radius_mm: Maybe[RingSize] = pin_circle_radius()
     ring_pin_radius_mm: Maybe[RingSize] = ring_pin_radius()
     contact_length_mm: Maybe[Size] = contact_length()
     modification: Maybe[ModificationFields] = None
     contact_law: Maybe[MeshLawFields] = None
     pin_material: Maybe[Material] = quantity("Material of the ring's pins")
-    """A name of the table of materials, or values; bearing steel where not given."""
+    """Name in the table of materials, or values; bearing steel if not given."""
     disc_material: Maybe[Material] = quantity("Disc material")
-    """A name of the table of materials, or values; that of the holes where these have one."""
+    """Name in the table of materials, or values; the material of the holes if not given."""
     pin_support: Maybe[RingPinSupport] = quantity("Support of the ring's pins", advanced=True)
-    """In half a bore (seat), as where not given, held at both ends free to tilt (supported), or
-    built in (fixed)."""
+    """Support of the ring pins: in half a bore (seat), which is the default, held at both ends free
+    to tilt (supported), or built in (fixed)."""
     span_mm: Maybe[Size] = quantity("Span of the ring's pins", "L", step=1, advanced=True)
-    """Distance of the two supports; not of a seat."""
+    """Distance between the two supports of the ring pins; not for seats."""
     satellite_positions_mm: Maybe[list[Size]] = quantity(
         "Places of the satellites",
         "z₁ … z_K",
@@ -139,20 +142,23 @@ class RingPinsFields(RequestModel, group="gear"):
         max_length=MAX_SATELLITES,
         advanced=True,
     )
-    """Middle plane of each satellite from one support; not of a seat."""
+    """Middle plane of each satellite, from one support of the ring pins; not for seats."""
     seat_stiffness_N_per_mm: Maybe[Size] = quantity(
         "Stiffness of a seat", "k_s", step=10_000, advanced=True
     )
-    """Of a pin in its bore and of what holds that; rigid where not given."""
+    """Stiffness of a ring pin in its bore and of the part that holds the bore; rigid if not
+    given."""
     friction_coefficient: Maybe[float] = quantity(
         "Friction coefficient", "μ", step=0.01, ge=0, le=1
     )
-    """Of what slides on the ring's pins, or of flanks of teeth; without it no loss is answered."""
+    """Friction coefficient of sliding on the ring pins, or of the flanks of teeth; without it the
+    loss is not calculated."""
     sleeve_bore_radius_mm: Maybe[Size] = quantity("Bore of the sleeves", "r_i", step=0.5)
-    """Radius of the bore of sleeves on the ring's pins, in which these slide."""
+    """Radius of the bore of sleeves, which slide on the ring pins."""
     rolling: Maybe[bool] = quantity("Rolling elements", advanced=True)
-    """Whether rolling elements carry the sleeves: then the friction coefficient is theirs, at the
-    bore of the sleeves, or at their outer radius where no bore is given, which is more."""
+    """True if rolling elements carry the sleeves. The friction coefficient is then that of the
+    rolling elements at the bore of the sleeves, or at their outer radius if no bore is given, which
+    gives a larger loss."""
 
     @model_validator(mode="after")
     def _held(self) -> Self:
@@ -186,13 +192,15 @@ class RingPinDeviationsFields(RequestModel, group="deviations"):
     """Deviations of ring pins from their nominal sizes."""
 
     ring_pin_radial_mm: Maybe[PerRingPin] = quantity("Ring pins outward", "ρ", step=0.001)
-    """Of each pin of the ring, outward; the first faces the crank at the crank angle 0."""
+    """Radial deviation of each ring pin's centre, positive outward; the first pin faces the crank
+    at the crank angle 0."""
     ring_pin_tangential_mm: Maybe[PerRingPin] = quantity(
         "Ring pins along the circle", "τ", step=0.001
     )
-    """Of each pin of the ring, as the output turns."""
+    """Tangential deviation of each ring pin's centre, positive in the sense of the output's
+    rotation."""
     ring_pin_radius_mm: Maybe[PerRingPin] = quantity("Ring pin radii", "Δr", step=0.001)
-    """Of the radius of each pin of the ring."""
+    """Deviation of each ring pin's radius, positive for a larger pin."""
 
     @property
     def ring_lists(self) -> dict[str, list[float]]:
@@ -262,36 +270,36 @@ class RingFields(RingPinsFields, InvoluteTeethFields, group="gear"):
     has none; a ratio that is given needs nothing."""
 
     module_mm: Maybe[Size] = quantity("Module", "m", step=0.5)
-    """Of the teeth."""
+    """Module of the teeth."""
     teeth_difference: Maybe[Whole] = quantity("Difference of teeth", "z₃ − z₂", ge=1, le=1000)
-    """Teeth of the ring less those of a satellite; that of the mechanism's teeth where these are
-    given."""
+    """Number of teeth of the ring less that of a satellite; the difference of the mechanism's teeth
+    if these are given."""
     reference_pressure_angle_deg: Maybe[float] = quantity(
         "Reference pressure angle", "α", step=0.5, ge=1, le=60
     )
-    """Of the teeth; 20° where not given."""
+    """Pressure angle of the teeth at the reference circle; 20° if not given."""
     root_strength_MPa: Maybe[Size] = quantity("Strength of the tooth root", "σ_FG", step=10)
-    """Stress that the root of a satellite's tooth bears over the life, in the direction of the
-    torque or in both; the safety in fatigue is on it."""
+    """Stress that the tooth root of a satellite endures over the life, for the torque in one
+    direction or in both, as it acts; the safety factor in fatigue refers to it."""
     radial_force_ratio: Maybe[float] = quantity(
         "Ratio of the ring's forces", "ρ", step=0.05, ge=-100, le=100
     )
-    """Force along the crank over that across it: positive towards the reducer's axis, as with
-    involute teeth, negative outwards, as with a ring of pins."""
+    """Force of the ring along the crank over its force across the crank: positive towards the
+    reducer's axis, as with involute teeth, negative outwards, as with ring pins."""
 
     rotates: Maybe[bool] = quantity("Ring pins rotate", advanced=True)
-    """Whether the pins turn in their supports: then their bending is fully reversed."""
+    """True if the ring pins turn in their supports, so that their bending is fully reversed."""
     tool_radius_mm: Maybe[Size] = quantity("Radius of the tool", "r_t", step=1, advanced=True)
-    """Of the wheel or cutter that makes the flanks of the discs, which has to reach into their
+    """Radius of the wheel or cutter that makes the flanks of the discs; it has to reach into their
     valleys."""
     every_second_pin: Maybe[bool] = quantity("Every second pin", advanced=True)
-    """Whether every second pin of the ring is left out, of an even number: the forces of such a
+    """True if every second pin of an even number of ring pins is left out; the forces of such a
     ring are not calculated."""
 
     ring_class: Maybe[RingClass] = quantity("How the ring is made", advanced=True)
-    """Ground, machined or printed, discs and ring: what is usual of their modification and of the
-    places of the ring's pins, where these are not known; printed where discs are softer than
-    20 GPa, else ground, where not given."""
+    """Manufacture of discs and ring: ground, machined or printed. It states the usual modification
+    of the discs and the usual places of the ring pins, if these are not known. The default is
+    printed if discs are softer than 20 GPa, else ground."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Assumed values, with the material of the ring if its mesh is judged."""

@@ -160,19 +160,21 @@ class RingMeshRequest(RequestModel, group="positions"):
         ge=1e-6,
         le=1,
     )
-    """Share of the torque, in both directions, under which the lost motion is taken."""
+    """Share of the torque, in both directions, under which the lost motion is measured."""
     chord_error_mm: Size = quantity("Chord error", "ε", default=0.01, step=0.001)
-    """How far the outline may be from the polygon of its points."""
+    """Largest distance of the outline from the polygon of its points."""
     crank_angle_deg: list[Angle] = quantity(
         "Crank angles", "φ", default=[0.0], min_length=1, max_length=MAX_POSITIONS
     )
-    """Crank angles of the positions; the curve of the lag is taken at the first."""
+    """Crank angles of the section `positions`; the curve of the lag is calculated at the first
+    one."""
     include: Maybe[list[Section]] = Field(
         min_length=1,
         max_length=6,
-        description="Results: what is not named is not computed. The geometry is always answered; "
-        "`worked` says how its numbers, and those of the results that are named, were got. Where "
-        "nothing is named, positions of cycloid discs, stresses of involute teeth.",
+        description="Results; only those that are named are computed. The geometry is always part"
+        " of the answer; `worked` adds its worked steps and those of the named "
+        "results. The default is the positions of cycloid discs or the stresses of "
+        "involute teeth.",
     )
 
     @model_validator(mode="after")

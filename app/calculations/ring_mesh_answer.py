@@ -34,18 +34,22 @@ DRAWN_DIGITS = 6
 class RingGeometryOut(ResponseModel):
     """Discs by their sizes alone."""
 
-    shortening_coefficient: float = result("e·z₃/R_p of the ring's pins.", symbol="K₁")
+    shortening_coefficient: float = result(
+        "Shortening coefficient e·z₃/R_p of the ring pins.", symbol="K₁"
+    )
     min_path_radius_mm: float = result(
         "Least convex radius of curvature of the tool's path.", symbol="ρ_min"
     )
     undercut_margin: float = result(
-        "That over the tool's radius; at 1 the tool cuts off a part of the flanks.",
+        "Least convex radius of the tool's path over the radius of the tool; at 1 or below the "
+        "tool cuts off a part of the flanks.",
         symbol="ρ_min/r_m",
     )
     tip_radius_mm: float = result("Largest radius of a disc.", symbol="R_m + e − r_m")
     root_radius_mm: float = result("Least radius of a disc.", symbol="R_m − e − r_m")
     min_concave_radius_mm: Maybe[float] = result(
-        "Least concave radius of a disc: what grinds its valleys is smaller."
+        "Least concave radius of curvature of a disc; the wheel that grinds the valleys has to "
+        "be smaller."
     )
 
 
@@ -56,10 +60,11 @@ class RingIdealOut(ResponseModel):
 
     peak_force_N: float = result("Largest force of a pin, 4T_j/(K₁·z₂·R_p).", symbol="F_max")
     mean_sum_force_N: float = result(
-        "Sum of the forces on a disc, 4T_j/(π·e·z₂), mean over the turn.", symbol="ΣF"
+        "Mean over the turn of the sum of forces on a disc, 4T_j/(π·e·z₂).", symbol="ΣF"
     )
     backlash_arcmin: Maybe[float] = result(
-        "Play by the modification alone; absent where that jams.", symbol="2(Δ_e − Δ_p·q)/(e·z₂)"
+        "Play caused by the modification alone; absent if the modification makes the mesh jam.",
+        symbol="2(Δ_e − Δ_p·q)/(e·z₂)",
     )
     radial_force_ratio: float = result(
         "Force of the ring along the crank over that across it; negative outwards.", symbol="ρ"
@@ -83,12 +88,12 @@ class MeshPositionOut(ResponseModel):
 
     crank_angle_deg: float = result("Crank angle.", symbol="φ")
     rotation_arcmin: list[float] = result(
-        "Lag of each disc's teeth behind their ideal angle, clearance included; negative in "
-        "reverse. That of a rigid output.",
+        "Lag of each disc's teeth behind their ideal angle, including clearance; negative in "
+        "reverse. The lag of a rigid output is the same.",
         symbol="θ_j",
     )
     force_N: list[list[float]] = result(
-        "Force of each pin of the ring, a list for each satellite.", symbol="F_jk"
+        "Force of each ring pin, as one list per satellite.", symbol="F_jk"
     )
     disc_torque_Nm: list[float] = result(
         "Torque of the forces about each disc's centre.", symbol="T_j", equation="ΣF·h"
@@ -101,26 +106,29 @@ class MeshPositionOut(ResponseModel):
     )
     loaded_pairs: int = result("Number of pairs with a force.")
     play_arcmin: Maybe[list[float]] = result(
-        "From where to where the unloaded discs can turn; absent where pairs press without load.",
+        "Least and largest lag of the unloaded discs; absent if pairs press without load.",
         symbol="θ₋, θ₊",
     )
-    pressed_without_load: Maybe[bool] = result("True where pairs press without load.")
+    pressed_without_load: Maybe[bool] = result("True if pairs press without load.")
     interference_mm: Maybe[float] = result(
-        "Smallest possible worst approach of the unloaded pairs, where they press.", symbol="δ"
+        "Least possible value of the largest approach of the unloaded pairs, if pairs press "
+        "without load.",
+        symbol="δ",
     )
     stiffness_Nm_per_arcmin: float = result(
-        "Torque over rotation of the mesh alone.", symbol="dT/dθ"
+        "Torsional stiffness of the mesh alone: slope of the torque over the rotation.",
+        symbol="dT/dθ",
     )
     max_pressure_MPa: float = result(
         "Largest Hertz pressure of the pairs.", symbol="p_0", equation="Johnson 4.2"
     )
     sliding_speed_m_per_s: Maybe[float] = result(
-        "Largest speed at which a loaded disc slides on a pin that stands still, where the speed "
-        "is known.",
+        "Largest sliding speed of a loaded disc on a ring pin at rest, if the speed is known.",
         symbol="v_s",
     )
     loss_per_friction: float = result(
-        "Loss over output for a friction coefficient of 1.", equation="ΣF·|R_p·S − r|·c/T"
+        "Power loss over output power for a friction coefficient of 1.",
+        equation="ΣF·|R_p·S − r|·c/T",
     )
 
 
@@ -131,9 +139,9 @@ class TeethTurnOut(ResponseModel):
     """
 
     peak_force_N: float = result("Largest force of all pairs over the turn.", symbol="F_max")
-    peak_force_ratio: float = result("The same over that of perfect parts.")
-    peak_crank_angle_deg: float = result("First crank angle at which it occurs.", symbol="φ")
-    peak_pair: PairOut = result("The satellite, and the pin of the ring that carries it there.")
+    peak_force_ratio: float = result("Largest force of all pairs over that of perfect parts.")
+    peak_crank_angle_deg: float = result("First crank angle with the largest force.", symbol="φ")
+    peak_pair: PairOut = result("Satellite and ring pin with the largest force.")
     lag_min_arcmin: float = result(
         "Least lag of a disc under load; negative in reverse.", symbol="θ"
     )
@@ -141,35 +149,47 @@ class TeethTurnOut(ResponseModel):
     loaded_pairs_min: int = result("Least number of pairs with a force.")
     loaded_pairs_max: int = result("Largest number of pairs with a force.")
     max_pressure_MPa: float = result(
-        "Largest Hertz pressure.", symbol="p_0", equation="Johnson 4.2"
+        "Largest Hertz pressure over the turn.", symbol="p_0", equation="Johnson 4.2"
     )
     radial_force_ratio_min: float = result(
-        "Least force of the ring along a crank, over that across the crank of a disc that carries "
-        "its part of the torque; negative outwards."
+        "Least force of the ring along a crank, over the force across the crank of a disc that "
+        "carries its even share of the torque; negative outwards."
     )
-    radial_force_ratio_max: float = result("Largest of the same.")
-    pressed_without_load: bool = result("Whether pairs press without load anywhere.")
+    radial_force_ratio_max: float = result(
+        "Largest force of the ring along a crank, over the force across the crank of a disc "
+        "that carries its even share of the torque; negative outwards."
+    )
+    pressed_without_load: bool = result("True if pairs press without load at any crank angle.")
 
 
 class MeshTurnOut(TeethTurnOut):
     """Extremes over the turn of the crank; the accuracy of the answer is that of the peak force."""
 
     backlash_max_arcmin: float = result(
-        "Largest play of the unloaded discs, 0 where pairs press.", symbol="θ₊ − θ₋"
+        "Largest play of the unloaded discs, 0 if pairs press without load.", symbol="θ₊ − θ₋"
     )
     backlash_min_arcmin: float = result("Least play of the unloaded discs.", symbol="θ₊ − θ₋")
     lost_motion_arcmin: float = result(
-        "Largest rotation between the two directions of a share of the torque.",
+        "Largest rotation of the discs between the two directions of a share of the torque.",
         equation="θ(+3 % T) − θ(−3 % T)",
     )
-    transmission_error_arcmin: float = result("Largest less least lag under load.", symbol="TE")
-    unloaded_transmission_error_arcmin: float = result(
-        "The same of the lag at which the first pair touches.", symbol="TE₀"
+    transmission_error_arcmin: float = result(
+        "Transmission error under load: largest less least lag over the turn.", symbol="TE"
     )
-    stiffness_min_Nm_per_arcmin: float = result("Least stiffness.", symbol="dT/dθ")
-    stiffness_max_Nm_per_arcmin: float = result("Largest stiffness.", symbol="dT/dθ")
+    unloaded_transmission_error_arcmin: float = result(
+        "Transmission error without load: largest less least lag over the turn at which the "
+        "first pair touches.",
+        symbol="TE₀",
+    )
+    stiffness_min_Nm_per_arcmin: float = result(
+        "Least torsional stiffness over the turn.", symbol="dT/dθ"
+    )
+    stiffness_max_Nm_per_arcmin: float = result(
+        "Largest torsional stiffness over the turn.", symbol="dT/dθ"
+    )
     input_torque_ripple_Nm: float = result(
-        "Largest less least torque that turns the crank, without friction.",
+        "Ripple of the input torque without friction: largest less least torque that turns the "
+        "crank.",
         equation="T/u + ΣF·∂δ/∂φ",
     )
 
@@ -178,18 +198,19 @@ class RingEfficiencyOut(ResponseModel):
     """Friction of the mesh over the turn, if its coefficient is known."""
 
     loss_per_friction: float = result(
-        "Loss over output for a friction coefficient of 1, mean over the turn.",
+        "Power loss over output power for a friction coefficient of 1, mean over the turn.",
         equation="ΣF·|R_p·S − r|·c/T; |τ − tan α_w| of involute teeth, over the path",
     )
-    loss_ratio: float = result("Loss over output, mean over the turn.")
-    efficiency: float = result("Of this mesh alone.", symbol="η")
+    loss_ratio: float = result("Power loss over output power, mean over the turn.")
+    efficiency: float = result("Efficiency of the mesh with the ring alone.", symbol="η")
     ideal_loss_ratio: Maybe[float] = result(
-        "Loss over output of perfect parts on many pins.", symbol="4μ(R_p − r)/(π·e·z₂)"
+        "Power loss over output power of perfect parts with many pins.",
+        symbol="4μ(R_p − r)/(π·e·z₂)",
     )
-    mean_loss_W: Maybe[float] = result("Mean loss, where the speed is known.")
+    mean_loss_W: Maybe[float] = result("Mean power loss, if the speed is known.")
     peak_pv_MPa_m_per_s: Maybe[float] = result(
-        "Largest product of pressure and sliding speed, where the speed is known: of sleeves in "
-        "their bores, else of the contact by π/4 of its Hertz pressure, for comparison only.",
+        "Largest product of pressure and sliding speed, if the speed is known: of sleeves in "
+        "their bores, else of the contact with π/4 of its Hertz pressure, for comparison only.",
         symbol="pv",
     )
 
@@ -201,8 +222,8 @@ class ProfileOut(ResponseModel):
 
     BESIDE = ("points", "closed")
 
-    chord_error_mm: float = result("How far the outline is from the polygon at most.")
-    closed: bool = result("True: the first point follows the last, and is not repeated.")
+    chord_error_mm: float = result("Largest distance of the outline from the polygon.")
+    closed: bool = result("Always true: the first point follows the last one and is not repeated.")
     points: list[list[float]] = result("Points x, y, mm.")
 
     @classmethod
@@ -216,8 +237,8 @@ class RingPinOut(ResponseModel):
     """Ring pin as it is made."""
 
     pin: int = result("Number of the pin, from 1.", symbol="k")
-    centre_mm: tuple[float, float] = result("Its centre, X and Y.", symbol="P_k")
-    radius_mm: float = result("Its radius.", symbol="r")
+    centre_mm: tuple[float, float] = result("Centre of the pin, X and Y.", symbol="P_k")
+    radius_mm: float = result("Radius of the pin.", symbol="r")
 
 
 class RingDrawingOut(ResponseModel):
@@ -226,38 +247,41 @@ class RingDrawingOut(ResponseModel):
     """
 
     lobe_mm: Maybe[list[list[float]]] = result(
-        "Points x, y of one lobe about a disc's centre, from a valley, that is up, clockwise; the "
-        "next begins where it ends, and all are the same. Of involute teeth from the middle of a "
-        "space to the next. Absent where flanks are turned: no outline is known."
+        "Points x, y of one lobe about the disc's centre, clockwise from a valley that points "
+        "up. The other lobes are equal, and each begins at the end of the one before. The lobe "
+        "of involute teeth reaches from the middle of a space to the middle of the next. The "
+        "points are absent if flanks are turned, as the outline is not known."
     )
     ring_lobe_mm: Maybe[list[list[float]]] = result(
-        "The same of an involute ring, about the axis: without a cutter flanks go on to its roots."
+        "Points x, y of one tooth of an involute ring about the axis, from the middle of a "
+        "space to the middle of the next; without a cutter flanks continue to the roots."
     )
     ring_turn_deg: Maybe[float] = result(
-        "Angle of that ring from where a space is up, anticlockwise.", equation="−φ₀"
+        "Angle of the involute ring from the position with a space pointing up, anticlockwise.",
+        equation="−φ₀",
     )
     turn_deg: list[float] = result(
-        "Angle of each disc at the crank angle 0, anticlockwise; over the turn it grows by that of "
-        "the crank over the ratio.",
+        "Angle of each disc at the crank angle 0, anticlockwise; over the turn it grows by the "
+        "crank angle over the ratio.",
         equation="α_j/u − φ₀; of involute teeth π/z₂ more",
     )
-    ring_pins: Maybe[list[RingPinOut]] = result("Pins of a ring of pins.")
+    ring_pins: Maybe[list[RingPinOut]] = result("Pins of the ring, if it is a ring of pins.")
     crank_angle_deg: Maybe[list[float]] = result(
-        "Crank angles of forces and gaps, until all repeats; these are left out where that takes "
-        "too many.",
+        "Crank angles of forces and gaps, until the pattern repeats; absent, as are forces and "
+        "gaps, if this takes too many angles.",
         symbol="φ",
     )
     repeats_after_deg: Maybe[float] = result(
-        "After how much of the crank's turning all repeats, with pins further on."
+        "Crank angle after which forces and gaps repeat, at pins further on."
     )
     pins_further: Maybe[int] = result(
-        "By how many pins: so much later a pin of the ring feels what that one does."
+        "Number of pins by which forces and gaps have moved on after that crank angle."
     )
     force_N: Maybe[list[list[list[float]]]] = result(
-        "Force of each pin of the ring at these, satellite by satellite.", symbol="F_jk"
+        "Force of each ring pin at the crank angles, satellite by satellite.", symbol="F_jk"
     )
     gap_mm: Maybe[list[list[list[float]]]] = result(
-        "What is left between disc and pin under the torque, 0 where they press."
+        "Gap between disc and ring pin under the torque; 0 if they press."
     )
 
     @classmethod
@@ -312,9 +336,9 @@ class SharedPairsOut(ResponseModel):
 
     loaded_pairs_min: int = result("Least number of pairs with a force.")
     loaded_pairs_max: int = result("Largest number of pairs with a force.")
-    largest_share: float = result("Most that a pair carries, over the force of one that has all.")
+    largest_share: float = result("Largest share of the force that one pair carries.")
     edge_contact: bool = result(
-        "Whether a pair carries at the corner of a tip, where no pressure is known."
+        "True if a pair carries at the corner of a tip, where the pressure is not known."
     )
 
 
@@ -325,7 +349,8 @@ class DesignMeshOut(ResponseModel):
 
     geometry: RingGeometryOut
     torque_direction: Literal["driving", "reverse"] = result(
-        "Direction of the torque: of both the one with the larger pressure."
+        "Direction of the torque that is shown; with an alternating torque the one with the "
+        "larger pressure."
     )
     ideal: RingIdealOut
     over_turn: MeshTurnOut | TeethTurnOut
@@ -338,12 +363,15 @@ class DesignPairOut(ResponseModel):
     """Mesh of involute teeth in a whole design, for the satellite with the largest torque."""
 
     satellite_torque_Nm: float = result(
-        "Largest torque of a satellite over the turn, under the dynamic load over its factor.",
+        "Largest torque of a satellite over the turn under the dynamic load, divided by the "
+        "dynamic factor.",
         symbol="T_j",
     )
     geometry: InvoluteGeometryOut
     stresses: InvoluteStressesOut
-    shared_pairs: Maybe[SharedPairsOut] = result("Pairs that carry, where teeth do not interfere.")
+    shared_pairs: Maybe[SharedPairsOut] = result(
+        "Number of pairs that carry, if teeth do not interfere."
+    )
     efficiency: Maybe[RingEfficiencyOut] = None
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None
@@ -353,7 +381,7 @@ class RingMeshResponse(ResponseModel):
     """Requested sections."""
 
     assumed: Maybe[list[AssumedOut]] = assumptions()
-    kind: Literal["cycloid", "involute"] = result("What the ring is.")
+    kind: Literal["cycloid", "involute"] = result("Kind of the ring.")
     geometry: RingGeometryOut | InvoluteGeometryOut
     stresses: Maybe[InvoluteStressesOut] = None
     shared_pairs: Maybe[SharedPairsOut] = None

@@ -40,9 +40,10 @@ class RingTeethFields(RequestModel, group="mechanism"):
     ASSUMED: ClassVar[tuple[str, ...]] = ("satellites",)
 
     satellite_teeth: Whole = quantity("Satellite teeth", "z₂", step=1, ge=2, le=999)
-    """Teeth of a satellite, the lobes of a cycloid disc."""
+    """Number of teeth of a satellite; the lobes of a cycloid disc."""
     ring_teeth: Whole = quantity("Ring teeth", "z₃", step=1, ge=3, le=1000)
-    """Teeth or pins of the ring; pins are one more than a disc has lobes."""
+    """Number of teeth or pins of the ring; a cycloid disc has one lobe less than the ring has
+    pins."""
     satellites: Whole = quantity("Satellites", "K", default=2, step=1, ge=1, le=MAX_SATELLITES)
     """Number of satellites, each on its own crank."""
     crank_spacing_deg: Maybe[Angle] = quantity("Crank spacing", "α", step=15)
@@ -52,7 +53,7 @@ class RingTeethFields(RequestModel, group="mechanism"):
     )
     """Angle of each crank, one for each satellite, instead of an even spacing."""
     pins: Maybe[Whole] = quantity("Pins", "N", step=1, ge=1, le=10_000)
-    """Number of pins of the output link; not needed here."""
+    """Number of pins of the output link; not used here."""
 
     @model_validator(mode="after")
     def _counts(self) -> Self:
@@ -86,13 +87,13 @@ class RingLoadFields(RequestModel, group="load"):
     torque_direction: Literal["driving", "reverse"] = quantity(
         "Direction of the torque", default="driving"
     )
-    """Driving: the satellites turn the output; reverse: the load turns them back."""
+    """Driving: the satellites turn the output; reverse: the load turns the satellites back."""
     application_factor: Maybe[Size] = application_factor(
-        help="Factor on the torque for the stresses of involute teeth; not of cycloid discs."
+        help="Factor on the torque for the stresses of involute teeth, not for cycloid discs."
     )
     input_speed_rpm: Maybe[Size] = input_speed()
     pin_circle_radius_mm: Maybe[Size] = quantity("Pin circle radius", "R", step=1)
-    """Radius of the circle of the output's pins; not needed here."""
+    """Radius of the circle of the output's pins; not used here."""
 
     def notices(self) -> tuple[Notice, ...]:
         """Notices, also of an application factor below 1."""
@@ -111,14 +112,14 @@ class CycloidRingFields(RingPinsFields, group="gear"):
     ASSUMED: ClassVar[tuple[str, ...]] = ("pin_material", "disc_material")
 
     kind: Literal["cycloid"] = quantity("Ring")
-    """Pins on which a cycloid disc rolls."""
+    """Ring of pins on which a cycloid disc rolls."""
     ring_pin_circle_radius_mm: RingSize = pin_circle_radius()
     ring_pin_radius_mm: RingSize = ring_pin_radius()
     contact_length_mm: Size = contact_length()
     pin_material: Material = quantity("Material of the ring's pins", default=PIN_MATERIAL)
-    """A name of the table of materials, or values; bearing steel where not given."""
+    """Name in the table of materials, or values; bearing steel if not given."""
     disc_material: Material = quantity("Disc material", default=DISC_MATERIAL)
-    """A name of the table of materials, or values."""
+    """Name in the table of materials, or values."""
 
     @property
     def turned(self) -> bool:
@@ -137,11 +138,11 @@ class RingDeviationsFields(RingPinDeviationsFields, group="deviations"):
     """
 
     eccentricity_mm: Maybe[PerSatellite] = quantity("Eccentricities", "Δe", step=0.001)
-    """Of each crank."""
+    """Deviation of the eccentricity of each crank, positive for a larger one."""
     crank_phase_deg: Maybe[PhasePerSatellite] = quantity("Crank phases", "Δα", step=0.001)
-    """Angle of each crank, positive ahead."""
+    """Deviation of the angle of each crank, positive ahead."""
     disc_phase_deg: Maybe[PhasePerSatellite] = quantity("Disc phases", "η", step=0.001)
-    """Angle of each disc's holes against its teeth, positive ahead."""
+    """Deviation of the angle of each disc's holes relative to its teeth, positive ahead."""
 
     def section(self) -> RingDeviations:
         """The deviations in SI units."""
@@ -171,4 +172,4 @@ class MeshCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):
     KINDS: ClassVar[Kinds] = {"rigid": ((), ()), "shares": (("shares",), ())}
 
     kind: Literal["rigid", "shares"] = quantity("Coupling of the satellites", default="rigid")
-    """Rigid: all have one lag; shares: each carries a given share."""
+    """Rigid: all satellites have one lag; shares: each satellite carries a given share."""

@@ -138,16 +138,16 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
     """Stress concentration at the step beside the middle sphere."""
 
     yield_strength_MPa: Maybe[Size] = quantity("Yield strength", "R_e", group="material", step=10)
-    """Yield strength: judges bending, or yield below the surface."""
+    """Yield strength, by which bending or yield below the surface is judged."""
     eccentricity_mm: Maybe[Size] = quantity("Eccentricity", "e", step=0.5)
-    """Eccentricity of the crank: judges the length of the rollers."""
+    """Eccentricity of the crank, by which the length of the rollers is judged."""
 
     tensile_strength_MPa: Maybe[Size] = quantity(
         "Tensile strength", "R_m", group="material", step=10
     )
-    """Tensile strength: what fatigue is judged by."""
+    """Tensile strength, by which fatigue is judged."""
     roller_rotates: bool = quantity("Roller rotates", default=False)
-    """Whether the roller spins in its seat: then its bending is fully reversed."""
+    """True if the roller spins in its seat, so that its bending is fully reversed."""
     fatigue: Maybe[FatigueFields] = None
 
     _sizes = field_validator("position_tolerance_mm", "gaps_mm")(no_dust)
@@ -279,7 +279,9 @@ class RollerStrengthResponse(JudgedResponse):
         "Largest force of a roller.", symbol="F_1", equation="2019, eq. 2, 11"
     )
     centre_force_N: float = result(
-        "Force of the middle sphere of that roller.", symbol="2F_1", equation="2019, eq. 2"
+        "Force on the middle sphere of the roller with the largest force.",
+        symbol="2F_1",
+        equation="2019, eq. 2",
     )
     forces_N: list[float] = result("Force of each roller.", symbol="F_i", equation="2019, eq. 5")
     displacement_mm: float = result(
@@ -290,11 +292,13 @@ class RollerStrengthResponse(JudgedResponse):
     bending_moment_Nm: float = result(
         "Bending moment at the middle sphere.", symbol="M", equation="2019, eq. 4"
     )
-    bending_stress_MPa: float = result("Bending stress there.", symbol="σ", equation="2019, eq. 12")
-    relative_stress: float = result(
-        "That stress over the modulus.", symbol="σ/E", equation="2019, fig. 6"
+    bending_stress_MPa: float = result(
+        "Bending stress at the middle sphere.", symbol="σ", equation="2019, eq. 12"
     )
-    loaded_rollers: int = result("Rollers that carry.")
+    relative_stress: float = result(
+        "Bending stress over the modulus of elasticity.", symbol="σ/E", equation="2019, fig. 6"
+    )
+    loaded_rollers: int = result("Number of rollers that carry.")
     fatigue: Maybe[CycleOut] = None
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None

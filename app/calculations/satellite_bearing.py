@@ -56,17 +56,20 @@ class ShaftBearingFields(NamedBearingFields, group="bearing"):
 
     name: Maybe[str] = bearing_name()
     kind: Maybe[Literal["ball", "roller"]] = quantity("Rolling elements")
-    """Balls: the life falls with the cube of the load; rollers: with its power 10/3."""
+    """Kind of rolling elements, which states the exponent of the load in the life: 3 for balls,
+    10/3 for rollers."""
     dynamic_rating_N: Maybe[Size] = quantity("Dynamic load rating", "C", step=100)
-    """Basic dynamic load rating; without it no life is answered."""
+    """Basic dynamic load rating; without it the life is not calculated."""
     bore_diameter_mm: Maybe[Size] = quantity("Bore", "d", step=1)
-    """Of the bearing; with outer diameter and width says whether there is such a bearing."""
+    """Bore diameter of the bearing; bore, outer diameter and width together show if such a bearing
+    exists."""
     outer_diameter_mm: Maybe[Size] = quantity("Outer diameter", "D", step=1)
-    """Of the bearing, larger than its bore."""
+    """Outer diameter of the bearing, larger than its bore."""
     width_mm: Maybe[Size] = quantity("Width", "B", step=1)
-    """Of the bearing."""
+    """Width of the bearing."""
     limiting_speed_rpm: Maybe[Size] = quantity("Limiting speed", "n_lim", step=500)
-    """Of the catalogue, for its lubrication; without it the speed is not judged."""
+    """Limiting speed in the catalogue for the lubrication used; without it the speed is not
+    judged."""
 
 
 class BearingFields(ShaftBearingFields, group="bearing"):
@@ -75,12 +78,13 @@ class BearingFields(ShaftBearingFields, group="bearing"):
     static_rating_N: Maybe[Size] = quantity("Static load rating", "C₀", step=100)
     """Basic static load rating, for the static safety."""
     reliability_percent: float = quantity("Reliability", default=90.0, ge=90, le=99)
-    """90, 95, 96, 97, 98 or 99 %: the share of bearings that reach the life."""
+    """Share of bearings that reach the life: 90, 95, 96, 97, 98 or 99 %."""
     ring_factor: float = quantity("Factor of the rings", "V", default=1.0, step=0.1, ge=0.1, le=10)
-    """Of the equivalent load: 1.2 is usual where the outer ring turns against the load."""
+    """Rotation factor V of the equivalent load; 1.2 is usual if the outer ring turns relative to
+    the load."""
     weibull_slope: Maybe[float] = quantity("Weibull slope", "β", step=0.1, ge=0.1, le=10)
-    """Slope of the distribution of lives, for the life of all satellites' bearings together; those
-    of the crankshaft are not in it."""
+    """Slope of the Weibull distribution of lives, for the common life of all satellites' bearings,
+    without those of the crankshaft."""
 
     def section(self, _: Any) -> RollingBearing:
         """The bearing in SI units."""
@@ -100,11 +104,13 @@ class CounterweightFields(PartFields, group="crankshaft"):
     """Mass on the shaft off its axis."""
 
     unbalance_kg_mm: Unbalance = quantity("Unbalance", "U", step=0.1)
-    """Mass times the distance of its centre from the axis."""
+    """Mass of the counterweight times the distance of its centre of mass from the axis."""
     position_mm: Place = quantity("Place", "z", step=1)
-    """Of its middle along the shaft, counted as the satellites' are."""
+    """Position of the counterweight's middle along the shaft, from the same point as those of the
+    satellites."""
     angle_deg: Angle = quantity("Direction", "β", default=180.0, step=15)
-    """Counted as the crank angles are; 180° is opposite to a crank at 0°."""
+    """Direction of the counterweight, measured like the crank angles; 180° is opposite to a crank
+    at 0°."""
 
     def section(self) -> Counterweight:
         """Counterweight in SI units."""
@@ -115,8 +121,8 @@ class SeatedBearingFields(ShaftBearingFields, PartFields, group="crankshaft"):
     """Bearing of the crankshaft, and the part that holds it."""
 
     seat: Seat = quantity("Sits in", alias="in", default="housing")
-    """The housing, or the part of the pins or of the ring where that turns: the life is that of the
-    speed against it."""
+    """Part in which the bearing sits: the housing, or the part of the pins or of the ring if it
+    turns. The life uses the speed of the crankshaft relative to that part."""
 
     def section(self) -> RollingBearing:
         """The bearing in SI units."""
@@ -133,24 +139,25 @@ class CrankshaftFields(RequestModel, group="crankshaft"):
     bearing_positions_mm: list[Place] = quantity(
         "Places of the bearings", "A, B", min_length=2, max_length=2
     )
-    """Of both bearings along the shaft, ascending; satellites may lie beyond."""
+    """Position of both bearings along the shaft, ascending; satellites may lie beyond them."""
     satellite_mass_kg: Maybe[Size] = quantity("Mass of a satellite", "m", step=0.1)
-    """With its bearing; without it no balance is answered, and no bearing feels it."""
+    """Mass of one satellite with its bearing; without it the balance is not calculated, and
+    bearings carry no centrifugal forces."""
     counterweights: Maybe[list[CounterweightFields]] = quantity(
         "Counterweights", max_length=MAX_WEIGHTS
     )
-    """Masses on the shaft besides the satellites, whose mass has to be given then."""
+    """Counterweights on the shaft; the mass of a satellite has to be given as well."""
     rotor_mass_kg: Maybe[Size] = quantity("Mass of what turns", "M", step=0.1)
-    """Of all that turns with the crankshaft, for the grade of its balance; where it is not given,
-    that of the satellites."""
+    """Mass of all parts that turn with the crankshaft, for the balance grade; the mass of the
+    satellites if not given."""
     eccentric_diameter_mm: Maybe[Size] = quantity("Diameter of the eccentrics", "d_e", step=1)
-    """Of a crank inside the bearing of its satellite."""
+    """Diameter of the eccentric inside the satellite's bearing."""
     shaft_diameter_mm: Maybe[Size] = quantity("Diameter of the shaft", "d_s", step=1)
-    """Of the shaft between the cranks and in its bearings."""
+    """Diameter of the shaft between the eccentrics and in its bearings."""
     bearings: Maybe[list[SeatedBearingFields]] = Field(
         min_length=2,
         max_length=2,
-        description="Both bearings; ball bearings in the housing where not given.",
+        description="Both bearings of the crankshaft; ball bearings in the housing if not given.",
     )
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
@@ -215,11 +222,11 @@ class SatelliteBearingOut(ResponseModel):
         "Largest resultant of the ring's forces on the satellite, W·√(1 + ρ²).", symbol="F_r"
     )
     basic_life_h: Maybe[float] = result(
-        "Time that 90 % of such bearings reach, (C/P)ᵖ million turns.", symbol="L_10h"
+        "Life that 90 % of such bearings reach, (C/P)ᵖ million turns.", symbol="L_10h"
     )
-    life_h: Maybe[float] = result("The same at the reliability asked.", symbol="L_nh")
+    life_h: Maybe[float] = result("Life at the requested reliability.", symbol="L_nh")
     static_safety_factor: Maybe[float] = result(
-        "Static rating over the largest load at the peak torque.", symbol="S₀"
+        "Static load rating over the largest load at the peak torque.", symbol="S₀"
     )
 
 
@@ -228,7 +235,7 @@ class SatelliteBearingResponse(AssumingResponse):
 
     forces: ForcesUsed = forces_used()
     relative_speed_rpm: float = result(
-        "Speed of a bearing's rings against each other, n₁·(1 + 1/u).", symbol="n"
+        "Speed of a bearing's inner ring relative to its outer ring, n₁·(1 + 1/u).", symbol="n"
     )
     radial_force_ratio: float = result(
         "Force of the ring along the crank over that across it; positive towards the axis.",
@@ -239,8 +246,8 @@ class SatelliteBearingResponse(AssumingResponse):
     )
     satellites: list[SatelliteBearingOut]
     system_life_h: Maybe[float] = result(
-        "Time that such reducers reach at the reliability asked without a failure of any of these "
-        "bearings; where the slope of the distribution is given.",
+        "Life that such reducers reach at the requested reliability without a failure of any "
+        "satellite bearing, if the Weibull slope is given.",
         symbol="L_s",
     )
     accuracy: AccuracyOut

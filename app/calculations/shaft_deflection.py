@@ -58,9 +58,9 @@ class ShaftSectionFields(PartFields, group="shaft"):
     """Stretch of the shaft with one diameter."""
 
     length_mm: Size = quantity("Length", step=1)
-    """Length of this stretch of the shaft."""
+    """Length of the shaft section."""
     diameter_mm: Size = quantity("Diameter", step=1)
-    """Diameter of the shaft there."""
+    """Diameter of the shaft section."""
 
     def section(self) -> ShaftSection:
         """Stretch in SI units."""
@@ -73,12 +73,12 @@ class LineContactFields(RequestModel, group="line_contact"):
     mating_radius_mm: float = quantity(
         "Curvature radius of the teeth", "r_m", step=1, ge=-1e12, le=1e12
     )
-    """Radius of curvature of the satellite's teeth across the contact line: negative, and larger
-    than the roller's, where the roller lies in a hollow."""
+    """Radius of curvature of the satellite's teeth across the contact line; negative, and larger in
+    size than the roller's, if the roller lies in a hollow."""
     roller_material: Material = quantity("Material of the rollers")
-    """A name of the table of materials, or values."""
+    """Name in the table of materials, or values."""
     mating_material: Material = quantity("Material of the satellite")
-    """A name of the table of materials, or values."""
+    """Name in the table of materials, or values."""
 
     def materials(self) -> tuple[ElasticMaterial, ElasticMaterial]:
         """Materials of roller and tooth."""
@@ -107,26 +107,26 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         return math.inf if "fixes" in self.include else super().cost()
 
     bearing_distance_mm: Size = quantity("Bearing distance", "a", step=1)
-    """Distance of the satellite's bearings, from C to B."""
+    """Distance between the satellite's bearings C and B."""
     overhang_mm: Size = quantity("Overhang", "b", step=1)
     """Distance from B to the clamped end of the shaft."""
     shaft_diameter_mm: Maybe[Size] = quantity("Shaft diameter", "d", step=1)
-    """Diameter of the shaft, the same everywhere."""
+    """Diameter of the shaft over its whole length."""
     shaft_sections: Maybe[list[ShaftSectionFields]] = quantity(
         "Shaft sections", min_length=1, max_length=100
     )
-    """Stretches of the shaft from C to the clamp, instead of one diameter; their lengths add up to
-    a + b."""
+    """Sections of the shaft from C to the clamp, given instead of one diameter; their lengths add
+    up to a + b."""
     youngs_modulus_GPa: Size = quantity("Young's modulus", "E", default=210.0, step=1)
     """Modulus of elasticity of the material."""
 
     yield_strength_MPa: Maybe[Size] = quantity("Yield strength", "R_e", step=10)
-    """Yield strength: judges bending, or yield below the surface."""
+    """Yield strength, by which bending or yield below the surface is judged."""
     tensile_strength_MPa: Maybe[Size] = quantity("Tensile strength", "R_m", step=10)
-    """Tensile strength: what fatigue is judged by."""
+    """Tensile strength, by which fatigue is judged."""
     load_rotates_with_shaft: bool = quantity("Load turns with the shaft", default=False)
-    """Whether the mesh turns with the shaft and bends it one way all the time; else its bending is
-    fully reversed."""
+    """True if the mesh turns with the shaft and always bends it in one direction; otherwise its
+    bending is fully reversed."""
     fatigue: Maybe[FatigueFields] = None
     line_contact: Maybe[LineContactFields] = None
 
@@ -305,9 +305,9 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
 class DeflectionOut(ResponseModel):
     """Deflection or slope in both planes and in total, in the unit of its name."""
 
-    x: float = result("In the plane of X.")
-    y: float = result("In the plane of Y.")
-    total: float = result("In all.")
+    x: float = result("Component in the plane of X.")
+    y: float = result("Component in the plane of Y.")
+    total: float = result("Resultant of both planes.")
 
 
 class ShaftStrengthOut(ResponseModel):
@@ -318,25 +318,33 @@ class ShaftStrengthOut(ResponseModel):
         "Bending moment at the clamp.", symbol="M", equation="|C·(a + b) + B·b|"
     )
     peak_stress_MPa: float = result("Largest bending stress, 32·M/(π·d³).", symbol="σ")
-    peak_stress_position_mm: float = result("Its section, from C towards the clamp.")
+    peak_stress_position_mm: float = result(
+        "Position of the largest stress, from C towards the clamp."
+    )
     static_safety_factor: Maybe[float] = result(
-        "Yield strength over it, where that is given.", symbol="S"
+        "Yield strength over the largest bending stress, if the yield strength is given.",
+        symbol="S",
     )
     fatigue: Maybe[CycleOut] = None
-    cycle_position_mm: Maybe[float] = result("Section of that cycle, from C towards the clamp.")
+    cycle_position_mm: Maybe[float] = result(
+        "Position of the worst stress cycle, from C towards the clamp."
+    )
 
 
 class LineContactOut(ResponseModel):
     """Hertz contact of roller and tooth at the largest line load."""
 
-    max_pressure_MPa: float = result("Largest pressure.", symbol="p₀")
+    max_pressure_MPa: float = result("Largest Hertz pressure.", symbol="p₀")
     half_width_mm: float = result("Half-width of the contact.", symbol="a")
     reduced_radius_mm: float = result("Reduced radius of curvature.", symbol="ρ")
     effective_modulus_GPa: float = result("Effective modulus.", symbol="E*")
     roller_safety: Maybe[float] = result(
-        "Limit of the roller's material over the pressure, where it is known."
+        "Pressure limit of the roller's material over the largest pressure, if the limit is known."
     )
-    mating_safety: Maybe[float] = result("The same of the satellite's material.")
+    mating_safety: Maybe[float] = result(
+        "Pressure limit of the satellite's material over the largest pressure, if the limit is "
+        "known."
+    )
     accuracy: AccuracyOut
 
 
@@ -350,25 +358,25 @@ class ShaftDeflectionResponse(JudgedResponse):
         "Reaction of the bearing C, X and Y.", symbol="C", equation="2020, eq. 28, 29"
     )
     deflection_B_mm: DeflectionOut = result(
-        "Deflection at B.", symbol="Δ_B", equation="2020, eq. 34, 36"
+        "Deflection of the shaft at B.", symbol="Δ_B", equation="2020, eq. 34, 36"
     )
     deflection_C_mm: DeflectionOut = result(
-        "Deflection at C.", symbol="Δ_C", equation="2020, eq. 33, 35"
+        "Deflection of the shaft at C.", symbol="Δ_C", equation="2020, eq. 33, 35"
     )
-    slope_B_mrad: DeflectionOut = result("Slope at B.", symbol="θ_B", equation="Mohr")
-    slope_C_mrad: DeflectionOut = result("Slope at C.", symbol="θ_C", equation="Mohr")
+    slope_B_mrad: DeflectionOut = result("Slope of the shaft at B.", symbol="θ_B", equation="Mohr")
+    slope_C_mrad: DeflectionOut = result("Slope of the shaft at C.", symbol="θ_C", equation="Mohr")
     simplified_deflection_B_mm: Maybe[DeflectionOut] = result(
-        "Deflection at B of a shaft of one diameter, where the shaft has steps.",
+        "Deflection at B of a shaft with one diameter, if the shaft has steps.",
         symbol="Δ_B",
         equation="2020, eq. 34, 36",
     )
     simplified_deflection_C_mm: Maybe[DeflectionOut] = result(
-        "The same at C.", symbol="Δ_C", equation="2020, eq. 33, 35"
+        "Deflection at C of a shaft with one diameter, if the shaft has steps.",
+        symbol="Δ_C",
+        equation="2020, eq. 33, 35",
     )
-    simplification_error_B: Maybe[float] = result(
-        "The simplified deflection at B over the exact one, less 1."
-    )
-    simplification_error_C: Maybe[float] = result("The same at C.")
+    simplification_error_B: Maybe[float] = result("Simplified over exact deflection at B, less 1.")
+    simplification_error_C: Maybe[float] = result("Simplified over exact deflection at C, less 1.")
     strength: Maybe[ShaftStrengthOut] = None
     line_contact: Maybe[LineContactOut] = None
     accuracy: AccuracyOut

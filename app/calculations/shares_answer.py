@@ -14,38 +14,42 @@ from core.checks.shares import DiscShares, ShareModel, ShareReason
 class DiscShareOut(ResponseModel):
     """Share of one satellite."""
 
-    satellite: int = result("Satellite.")
-    torque_Nm: float = result("Mean over the turn, under the torque without its factor.")
-    share: float = result("The same of the whole.")
-    share_at_peak: float = result("Share at the crank angle of the largest force.")
+    satellite: int = result("Number of the satellite, from 1.")
+    torque_Nm: float = result(
+        "Mean torque of the satellite over the turn, under the torque without the application "
+        "factor."
+    )
+    share: float = result("Mean torque of the satellite over the whole torque.")
+    share_at_peak: float = result("Share of the satellite at the crank angle of the largest force.")
 
 
 class EvenOut(ResponseModel):
     """Check with evenly sharing satellites."""
 
-    check: str = Field(description="Which.", json_schema_extra={"enum": [*CHECKS]})
-    status: Status = Field(description=f"How it would go: {', '.join(STATUSES)}.")
-    value: Maybe[float] = Field(description="What it would compare, in `unit`.")
-    unit: str = Field(description="Unit as shown; empty for plain numbers.")
+    check: str = Field(description="Code of the check.", json_schema_extra={"enum": [*CHECKS]})
+    status: Status = Field(description=f"Result that the check would have: {', '.join(STATUSES)}.")
+    value: Maybe[float] = Field(description="Value that the check would compare, in `unit`.")
+    unit: str = Field(description="Unit of the value as shown; empty for plain numbers.")
 
 
 class SharesOut(ResponseModel):
     """Sharing of the torque between the satellites."""
 
     model: ShareModel = Field(
-        description="`real` by forces that are solved, `factor` by `contact.distribution_factor`, "
-        "of whichever satellite, `given` by `satellite_coupling.shares`."
+        description="Origin of the shares: `real` from solved forces, `factor` from "
+        "`contact.distribution_factor` on any one of the satellites, `given` from "
+        "`satellite_coupling.shares`."
     )
     discs: list[DiscShareOut]
-    largest: float = result("Largest share.")
-    reason: ShareReason = Field(description="What makes them differ most.")
+    largest: float = result("Largest share of the torque.")
+    reason: ShareReason = Field(description="Main cause of the differences.")
     governs: list[str] = Field(
-        description="Checks that decide a part, and rest on the shares.",
+        description="Checks that decide a part and depend on the shares.",
         json_schema_extra={"items": {"type": "string", "enum": [*CHECKS]}},
     )
     even: Maybe[list[EvenOut]] = Field(
-        description="What these checks would say if all carried alike; where no other solution of "
-        "the forces is needed for it."
+        description="Results of these checks if all satellites carried the same torque, as far as"
+        " no other solution of the forces is needed."
     )
 
     @classmethod

@@ -90,15 +90,17 @@ Pointer = Annotated[str, Field(pattern="^/", max_length=200)]
 class VariableFields(RequestModel):
     """Input that is solved for."""
 
-    pointer: Pointer = Field(description="JSON pointer into `input`.")
-    low: float = Field(alias="from", ge=-1e12, le=1e12, description="Start of its range.")
-    to: float = Field(ge=-1e12, le=1e12, description="End of its range.")
+    pointer: Pointer = Field(description="JSON pointer to the variable in `input`.")
+    low: float = Field(
+        alias="from", ge=-1e12, le=1e12, description="Lower end of the range of the variable."
+    )
+    to: float = Field(ge=-1e12, le=1e12, description="Upper end of the range of the variable.")
     integer: bool = Field(
         default=False,
-        description=f"Whether only whole numbers are tried, {MOST_WHOLE} at most; so they are "
-        "where the input is one.",
+        description=f"True to try only whole numbers, {MOST_WHOLE} at most; always so if the input "
+        "is a whole number.",
     )
-    log: bool = Field(default=False, description="Whether the range is sampled by ratios.")
+    log: bool = Field(default=False, description="True if the range is sampled at equal ratios.")
 
 
 class TargetFields(RequestModel):
@@ -107,12 +109,12 @@ class TargetFields(RequestModel):
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("at_least",), ("at_most",), ("equals",)),)
 
     pointer: Pointer = Field(
-        description="JSON pointer into the answer; a check by its code: "
+        description="JSON pointer to the result in the answer; checks are addressed by code: "
         "`/checks/contact_pressure_hole/torque_reserve`.",
     )
-    at_least: Maybe[float] = Field(description="Least value.")
-    at_most: Maybe[float] = Field(description="Largest value.")
-    equals: Maybe[float] = Field(description="The value itself.")
+    at_least: Maybe[float] = Field(description="Least value of the result.")
+    at_most: Maybe[float] = Field(description="Largest value of the result.")
+    equals: Maybe[float] = Field(description="Value that the result has to equal.")
 
     @property
     def wanted(self) -> tuple[Sense, float]:
@@ -130,11 +132,13 @@ class SolveRequest(WorkedFields):
         "crank-planetary",
         "roller-strength",
         "precession/shaft-deflection",
-    ] = Field(description="Which calculation is asked.")
-    input: dict[str, Any] = Field(description="That calculation's request.")
+    ] = Field(description="Name of the calculation.")
+    input: dict[str, Any] = Field(description="Request of the calculation.")
     variable: VariableFields
     target: TargetFields
-    want: Want = Field(default="smallest", description="Which input, where many meet the target.")
+    want: Want = Field(
+        default="smallest", description="Choice between several inputs that meet the target."
+    )
 
     @property
     def adapter(self) -> TypeAdapter[RequestModel]:
@@ -326,38 +330,48 @@ def _at(answer: Values, target: list[str]) -> Any:
 class BestOut(ResponseModel):
     """Closest result to a target that no input meets."""
 
-    value: float = result("The input.")
-    target: float = result("Its result.")
+    value: float = result("Value of the variable.")
+    target: float = result("Result at that value.")
 
 
 class SolveResponse(AssumingResponse):
     """Inputs that meet the target."""
 
     status: SolveStatus = Field(
-        description="`always` where the whole range meets it, `several` where more than one "
-        "stretch does, `infeasible` where none."
+        description="`always` if the whole range meets the target, `several` if more than one "
+        "range does, `infeasible` if none does."
     )
-    value: Maybe[float] = result("The input that meets the target, as wanted.")
+    value: Maybe[float] = result(
+        "Value of the variable that meets the target, as requested by `want`."
+    )
     sets: Maybe[dict[str, float]] = Field(
-        description="All that it sets, by JSON pointer into `input`."
+        description="Values that the solution sets, by JSON pointer into `input`."
     )
-    bracket: Maybe[tuple[float, float]] = result("The neighbours that the edge lies between.")
+    bracket: Maybe[tuple[float, float]] = result(
+        "Neighbouring values between which the edge of the range lies."
+    )
     refused: Maybe[list[FieldProblem]] = Field(
-        description="Why the input is refused beyond that edge, where it is: the target may be met "
-        "there."
+        description="Problems for which the input is refused beyond that edge, if it is; the "
+        "target may be met there."
     )
-    intervals: list[tuple[float, float]] = result("Stretches that meet the target.")
+    intervals: list[tuple[float, float]] = result("Ranges of the variable that meet the target.")
     best: Maybe[BestOut] = None
-    monotone: bool = result("Whether the result only grows or only falls, as sampled.")
+    monotone: bool = result(
+        "True if the result only rises or only falls over the range, as sampled."
+    )
     standard_size: Maybe[float] = result(
-        "The next size of a standard pin (ISO 2338) that meets the target, as the input has it."
+        "Radius of the next standard pin (ISO 2338) that meets the target, as `pin_radius_mm` "
+        "states it."
     )
     linked: list[str] = Field(description="JSON pointers to inputs that follow the variable.")
     accuracy: AccuracyOut = Field(
-        description="Of the search: the width of the bracket. The error that the calculation "
-        "states of the result moves the value besides, by less the more the result follows it."
+        description="Accuracy of the search, by the width of the bracket. The error that the "
+        "calculation states for the result moves the value as well, the less the more"
+        " strongly the result depends on it."
     )
-    warnings: Maybe[list[WarningOut]] = Field(description="What `input` is taken for.")
+    warnings: Maybe[list[WarningOut]] = Field(
+        description="Warnings about the interpretation of `input`."
+    )
 
 
 def solve(body: SolveRequest) -> Values:

@@ -9,7 +9,7 @@ from core.tolerance.processes import ProcessName
 class EstimateOut(ResponseModel):
     """Number of the sample with its 95 % interval."""
 
-    value: float = result("The number.")
+    value: float = result("Estimate of the quantity.")
     low: float = result("Lower end of its 95 % interval.")
     high: float = result("Upper end of its 95 % interval.")
 
@@ -17,7 +17,7 @@ class EstimateOut(ResponseModel):
 class PercentileOut(EstimateOut):
     """Percentile by order statistics, whose interval holds for any distribution."""
 
-    percent: float = result("Share of the pieces below it, percent.")
+    percent: float = result("Percentage of the pieces with a value below the percentile.")
 
 
 class YieldOut(EstimateOut):
@@ -25,28 +25,32 @@ class YieldOut(EstimateOut):
     is that of Clopper and Pearson.
     """
 
-    limit: float = result("The limit: a lower one of the stiffness, an upper one of all else.")
+    limit: float = result(
+        "Limit of the quantity: a lower limit of the stiffness, an upper limit of all other "
+        "quantities."
+    )
 
 
 class HistogramOut(ResponseModel):
     """Number of pieces by value."""
 
-    edges: list[float] = result("Ends of the classes, one more than counts.")
-    counts: list[int] = result("Pieces in each.")
+    edges: list[float] = result("Edges of the classes, one more than counts.")
+    counts: list[int] = result("Number of pieces in each class.")
 
 
 class ContributionOut(ResponseModel):
     """Effect of one tolerance on a quantity."""
 
-    source: str = result("The tolerance: its name in the request.")
+    source: str = result("Name of the tolerance in the request.")
     total: float = result(
-        "Share of the variance that hangs on it, alone or together with others.", symbol="S_T"
+        "Share of the variance that depends on the tolerance, alone or together with others.",
+        symbol="S_T",
     )
-    total_error: float = result("Standard error of the same.")
-    first: float = result("Share of the variance that it explains alone.", symbol="S_1")
-    first_error: float = result("Standard error of the same.")
+    total_error: float = result("Standard error of the total share.")
+    first: float = result("Share of the variance that the tolerance explains alone.", symbol="S_1")
+    first_error: float = result("Standard error of the share of the tolerance alone.")
     percentile_without: Maybe[PercentileOut] = result(
-        "The highest percentile asked, with this tolerance at the middle of its limits."
+        "Highest requested percentile with this tolerance at the middle of its limits."
     )
     fits_without: Maybe[EstimateOut] = result(
         "Share of the pieces that fit, with this tolerance at the middle of its limits."
@@ -57,25 +61,30 @@ class QuantityOut(ResponseModel):
     """One quantity of the pieces that fit; its name states the unit."""
 
     nominal: Maybe[float] = result(
-        "Of the piece at the middle of all limits; absent where that does not fit."
+        "Value of the piece at the middle of all limits; absent if that piece does not fit."
     )
-    mean: Maybe[float] = result("Mean; absent where no piece fits.")
+    mean: Maybe[float] = result("Mean over the pieces that fit; absent if no piece fits.")
     percentiles: list[PercentileOut] = result(
-        "Percentiles of the pieces that fit, in the order asked; without those for which too few "
-        "fit."
+        "Percentiles of the pieces that fit, in the requested order, without those for which "
+        "too few pieces fit."
     )
     angle_grid_error: float = result(
-        "How much the crank angles miss of it, relative: a bias beside the sampling error, which "
-        "more samples do not lower; the numbers are not corrected for it. Of the peak force a mean "
-        "over the highest peaks, which come out too low; of the others against four times as many "
-        "angles."
+        "Relative bias of the value by the finite number of crank angles. It adds to the "
+        "sampling error, does not fall with more samples, and is not corrected for. The bias of"
+        " the peak force is a mean over the highest peaks, which come out too low; that of "
+        "other quantities is measured against four times as many angles."
     )
-    kept: Maybe[YieldOut] = Field(alias="yield", description="Yield, where a limit is given.")
-    yield_of_fitting: Maybe[YieldOut] = result("The same of the pieces that fit.")
-    histogram: Maybe[HistogramOut] = result("Histogram, where asked.")
+    kept: Maybe[YieldOut] = Field(
+        alias="yield",
+        description="Yield: share of all pieces that keep the limit, if one is given.",
+    )
+    yield_of_fitting: Maybe[YieldOut] = result(
+        "Share of the fitting pieces that keep the limit, if one is given."
+    )
+    histogram: Maybe[HistogramOut] = result("Histogram of the quantity, if requested.")
     contributions: Maybe[list[ContributionOut]] = result(
-        "What each tolerance does, the largest first, where asked: of the first quantity. Where "
-        "the totals add up to more than 1, tolerances act together."
+        "Contribution of each tolerance to the first quantity, the largest first, if requested."
+        " Tolerances act together if the totals add up to more than 1."
     )
 
 
@@ -83,13 +92,15 @@ class QuantitiesOut(ResponseModel):
     """Requested quantities, over the turn of each piece."""
 
     peak_force_N: Maybe[QuantityOut] = result("Largest force of all pairs.")
-    max_pressure_MPa: Maybe[QuantityOut] = result("Largest pressure, as it is judged.")
-    transmission_error_arcmin: Maybe[QuantityOut] = result("Largest less least lag under load.")
+    max_pressure_MPa: Maybe[QuantityOut] = result("Largest pressure of the pairs, as it is judged.")
+    transmission_error_arcmin: Maybe[QuantityOut] = result(
+        "Transmission error: largest less least lag of the output under load."
+    )
     backlash_max_arcmin: Maybe[QuantityOut] = result("Largest play of the unloaded output.")
     lost_motion_arcmin: Maybe[QuantityOut] = result(
-        "Largest rotation between the two directions of a share of the torque."
+        "Largest rotation of the output between the two directions of a share of the torque."
     )
-    stiffness_min_Nm_per_arcmin: Maybe[QuantityOut] = result("Least stiffness.")
+    stiffness_min_Nm_per_arcmin: Maybe[QuantityOut] = result("Least torsional stiffness.")
     ring_peak_force_N: Maybe[QuantityOut] = result("Largest force on a pin of the ring.")
     ring_max_pressure_MPa: Maybe[QuantityOut] = result("Largest pressure on a pin of the ring.")
 
@@ -100,27 +111,29 @@ class StudyAccuracyOut(AccuracyOut):
     """
 
     sampling_error: float = Field(
-        description="Largest half width of a percentile's 95 % interval, relative; of the mean "
-        "where no percentile is asked. It falls with the root of the samples."
+        description="Largest relative half width of a percentile's 95 % interval, or that of the "
+        "mean if no percentile is requested; it falls with the square root of the "
+        "number of samples."
     )
     angle_grid_error: float = Field(
-        description="Largest bias of the crank angles, relative; more samples do not lower it."
+        description="Largest relative bias by the finite number of crank angles; more samples do "
+        "not lower it."
     )
 
 
 class ProcessOut(ResponseModel):
     """Manufacturing processes of the parts and their guide values, as in `GET /processes`."""
 
-    code: ProcessName = result(
-        "Process of the holes; where only that of the pins is said, of these."
+    code: ProcessName = result("Process of the holes; process of the pins if only that is stated.")
+    source: str = result("Source of the numbers of the process.")
+    pin_code: Maybe[ProcessName] = result("Process of the pins, if it differs.")
+    pin_source: Maybe[str] = result("Source of the numbers of the process of the pins.")
+    filled: list[str] = result(
+        "JSON pointers to the fields that the processes fill, as they are not given."
     )
-    source: str = result("Where its numbers come from.")
-    pin_code: Maybe[ProcessName] = result("Process of the pins, where that is another.")
-    pin_source: Maybe[str] = result("Where the numbers of that come from.")
-    filled: list[str] = result("Pointers to the fields that it fills: those that are not given.")
     mean_clearance_mm: float = result(
-        "Clearance of pins and holes at the middle of all limits: beside the nominal one where "
-        "holes come out small, or pins large.",
+        "Clearance of pins and holes at the middle of all limits; it differs from the nominal "
+        "one if holes come out small or pins large.",
         symbol="c",
     )
 
@@ -128,25 +141,25 @@ class ProcessOut(ResponseModel):
 class ToleranceStudyResponse(AssumingResponse):
     """Effect of tolerances on the pieces."""
 
-    quantities: QuantitiesOut = result("Each quantity asked, or with a limit.")
-    samples: int = result("Pieces drawn.")
-    fits: int = result("Pieces that have room at all crank angles, over the whole turn.")
+    quantities: QuantitiesOut = result("Quantities that are requested or have a limit.")
+    samples: int = result("Number of pieces drawn.")
+    fits: int = result("Number of pieces with room at all crank angles over the whole turn.")
     binds_in_turning: int = result(
-        "Pieces that go together at some crank angles, and jam at others."
+        "Number of pieces that go together at some crank angles and jam at others."
     )
-    does_not_fit: int = result("Pieces that go together at no crank angle.")
+    does_not_fit: int = result("Number of pieces that go together at no crank angle.")
     cannot_assemble: EstimateOut = result(
-        "Share of the pieces that do not fit, with its interval: they are not in the percentiles, "
-        "and fail the yield."
+        "Share of the pieces that do not fit, with its interval; these pieces are not in the "
+        "percentiles and count against the yield."
     )
     cannot_work: int = result(
         "Pieces that fit and cannot work under the torque of what is asked, none of a backlash "
         "alone: they are not in the percentiles, and fail the yield."
     )
-    process: Maybe[ProcessOut] = result("How the parts are made, where that is said.")
+    process: Maybe[ProcessOut] = result("Manufacturing processes of the parts, if stated.")
     fit_contributions: Maybe[list[ContributionOut]] = result(
-        "What each tolerance does to whether the pieces fit, the largest first: in the place of "
-        "the contributions to a quantity, where fewer than 95 % of the pieces fit."
+        "Contribution of each tolerance to the share of pieces that fit, the largest first; it "
+        "replaces the contributions to a quantity if fewer than 95 % of the pieces fit."
     )
     accuracy: StudyAccuracyOut
     warnings: Maybe[list[WarningOut]] = None

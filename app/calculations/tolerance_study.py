@@ -101,7 +101,9 @@ USUAL_RANKED_SAMPLES = 1024
 """Number of samples if none is given and as many fit; the second one is with contributions."""
 
 
-_limit = partial(quantity, help="Limit whose yield is asked; its quantity is calculated too.")
+_limit = partial(
+    quantity, help="Limit for which the yield is calculated, together with the quantity itself."
+)
 
 
 class LimitsFields(RequestModel, group="limits"):
@@ -137,37 +139,38 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     load: OneWayLoadFields
     tolerances: TolerancesFields
     samples: Maybe[Whole] = quantity("Samples", "n", step=100, ge=1, le=MAX_SAMPLES)
-    """Pieces that are drawn; samples × pairs × crank angles are bounded. Where they are not given
-    as many as fit, up to 4096, or 1024 with contributions."""
+    """Number of pieces to draw; samples × pairs × crank angles are bounded. The default is the
+    largest number allowed, up to 4096, or up to 1024 with contributions."""
     seed: Whole = quantity("Seed", default=0, step=1, advanced=True, ge=0, le=2**53 - 1)
-    """Of the draws: the same seed gives the same pieces, however many there are."""
+    """Seed of the random numbers; equal seeds give equal pieces, for any number of samples."""
     if_cluster_lost: Literal["here", "end"] = quantity(
         "If the cluster is lost", default="here", advanced=True
     )
-    """Whether a study goes on in the service, or ends, where that has it calculated on a cluster
-    and loses it."""
+    """Behaviour of a study on a cluster if the service loses the cluster: continue in the service,
+    or end."""
     crank_angles: Whole = quantity(
         "Crank angles", default=60, step=12, advanced=True, ge=12, le=1000
     )
-    """Even positions of the turn at which each piece is solved; of a ring in series four times as
-    many over all turns after which both meshes repeat."""
+    """Number of even positions of the turn at which each piece is solved; with a ring in series
+    four times as many, over all turns after which both meshes repeat."""
     quantities: list[Name] = Field(
         default=["peak_force_N", "backlash_max_arcmin"],
         min_length=1,
         max_length=8,
-        description="Quantities of each piece, over the turn. The lost motion takes three times as "
-        "long. Forces and pressures of the pins of a ring where that is in series.",
+        description="Quantities of each piece over the turn. The lost motion takes three times as"
+        " long. Forces and pressures of ring pins need a ring in series.",
     )
     percentiles: list[Annotated[float, Field(ge=0.01, le=99.99)]] = quantity(
         "Percentiles", default=[50.0, 95.0], max_length=20
     )
-    """Percentages of the percentiles; a rare one needs many samples: 95 % takes 72, 99 % 368."""
+    """Percentages of the requested percentiles; a rare one needs many samples: 95 % takes 72, 99 %
+    takes 368."""
     limits: LimitsFields = Field(default_factory=LimitsFields)
     include: list[Literal["histogram", "contributions", "worked"]] = Field(
         default=[],
         max_length=3,
-        description="Results besides. `contributions` of G tolerances to the first quantity take "
-        "2·G + 2 times as many pieces more.",
+        description="Optional results. `contributions` of G tolerances to the first quantity take"
+        " 2·G + 2 times as many additional pieces.",
     )
 
     @cached_property

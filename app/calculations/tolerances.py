@@ -36,7 +36,8 @@ class _OneSpreadFields(RequestModel, group="tolerances"):
     """Distribution of a single deviation of a piece between its limits."""
 
     distribution: Distribution = quantity("Distribution", default="normal")
-    """Normal, cut off at the limits, three standard deviations off the middle; or uniform."""
+    """Distribution between the limits: normal, cut off at the limits three standard deviations from
+    the middle, or uniform."""
 
     def _refuse_reversed(self, unit: str) -> None:
         lower, upper = getattr(self, f"lower_{unit}"), getattr(self, f"upper_{unit}")
@@ -51,7 +52,7 @@ class _SpreadFields(_OneSpreadFields, group="tolerances"):
     """Distribution of a size or an angle of each part between its limits."""
 
     common: bool = quantity("Common to all", default=False)
-    """Whether all such parts of a piece have the same: one batch, one tool."""
+    """True if all such parts of a piece have the same deviation, as with one batch or one tool."""
 
 
 _lower = partial(quantity, "From", step=0.001, help="Lower limit of the deviation.")
@@ -141,7 +142,7 @@ class PinDiameterFields(_DiameterFields, group="pin_diameter"):
     tolerance_class: Maybe[str] = quantity(
         "Class", alias="class", schema={"pattern": f"^{CLASSES}$"}
     )
-    """ISO 286 class, as m6 of a shaft, instead of limits."""
+    """ISO 286 class of a shaft, such as m6, given instead of limits."""
 
 
 class HoleDiameterFields(_DiameterFields, group="hole_diameter"):
@@ -152,7 +153,7 @@ class HoleDiameterFields(_DiameterFields, group="hole_diameter"):
     tolerance_class: Maybe[str] = quantity(
         "Class", alias="class", schema={"pattern": f"^{CLASSES}$"}
     )
-    """ISO 286 class, as H7 of a hole, instead of limits."""
+    """ISO 286 class of a hole, such as H7, given instead of limits."""
 
 
 def _kind(given: Any) -> Literal["plus_minus", "limits"]:
@@ -194,37 +195,42 @@ class TolerancesFields(RequestModel, group="tolerances"):
     """
 
     process: Maybe[ProcessName] = quantity("Process")
-    """How the parts are made: fills what is not given with guides for such parts."""
+    """Manufacturing process of the parts; its guide values fill the fields that are not given."""
     pin_process: Maybe[ProcessName] = quantity("Process of the pins", advanced=True)
-    """The same of the pins alone, as where these are bought."""
+    """Manufacturing process of the pins alone, for instance of bought pins; its guide values fill
+    the fields that are not given."""
     hole_process: Maybe[ProcessName] = quantity("Process of the holes", advanced=True)
-    """The same of the holes alone."""
+    """Manufacturing process of the holes alone; its guide values fill the fields that are not
+    given."""
     pin_position_mm: Maybe[Zone] = quantity("Position of the pins", "t", step=0.001)
-    """Diameter of the round zone of each pin's centre."""
+    """Diameter of the round tolerance zone of each pin's centre."""
     hole_position_mm: Maybe[Zone] = quantity("Position of the holes", "t_j", step=0.001)
-    """Diameter of the round zone of each hole's centre."""
+    """Diameter of the round tolerance zone of each hole's centre."""
     pin_diameter: Maybe[PinDiameterFields] = quantity("Pin diameter", step=0.001)
-    """Class or limits of the diameter that touches the hole."""
+    """Class or limits of the pin's diameter, or of the sleeve or roller that touches the hole."""
     hole_diameter: Maybe[HoleDiameterFields] = quantity("Hole diameter", step=0.001)
     """Class or limits of the diameter of the holes."""
     eccentricity_mm: Maybe[LengthSpread] = quantity("Eccentricity", "Δe", step=0.001)
-    """Of each crank: plus or minus so much, or limits."""
+    """Deviation of the eccentricity of each crank: a value for plus or minus, or limits."""
     crank_phase_deg: Maybe[PhaseSpread] = quantity("Crank phase", "Δα", step=0.001)
-    """Angle of each crank: plus or minus so much, or limits."""
+    """Deviation of the angle of each crank: a value for plus or minus, or limits."""
     disc_phase_deg: Maybe[PhaseSpread] = quantity("Disc phase", "η", step=0.001)
-    """Angle of each disc's holes against its teeth: plus or minus so much, or limits."""
+    """Deviation of the angle of each disc's holes relative to its teeth: a value for plus or minus,
+    or limits."""
     ring_pin_position_mm: Maybe[Zone] = quantity("Position of the ring's pins", "t_r", step=0.001)
-    """Diameter of the round zone of the centre of each pin of the ring."""
+    """Diameter of the round tolerance zone of each ring pin's centre."""
     ring_pin_diameter: Maybe[PinDiameterFields] = quantity(
         "Diameter of the ring's pins", step=0.001
     )
-    """Class or limits of the diameter of the ring's pins."""
+    """Class or limits of the diameter of the ring pins."""
     equidistant_mm: Maybe[ToolSpread] = quantity("Equidistant modification", "Δ_e", step=0.001)
-    """Of the tool that cuts all discs of a piece: plus or minus so much, or limits."""
+    """Deviation of the tool's radius, common to all discs of a piece: a value for plus or minus, or
+    limits."""
     modification_pin_circle_mm: Maybe[ToolSpread] = quantity(
         "Modification of the circle", "Δ_p", step=0.001
     )
-    """The same of its circle: plus or minus so much, or limits."""
+    """Deviation of the radius of the tool's circle, common to all discs of a piece: a value for
+    plus or minus, or limits."""
 
     @property
     def processes(self) -> dict[Part, Process]:

@@ -17,14 +17,14 @@ class UsualFitOut(ResponseModel):
     """Design with a usual clearance."""
 
     fit_class: str = Field(
-        alias="class", description="The fit, as H7/f7; `printed` of holes softer than 20 GPa."
+        alias="class", description="Fit such as H7/f7; `printed` for holes softer than 20 GPa."
     )
     hole_clearance_mm: float = result("Radial clearance.", symbol="c")
     peak_force_N: Maybe[float] = result("Largest force of all pairs over the turn.", symbol="F_max")
     largest_torque_Nm: Maybe[float] = result(
-        "Torque at which the first check fails, where it is asked and known."
+        "Torque at which the first check fails, if requested and known."
     )
-    verdict: Outcome = Field(description="Of the design with it.")
+    verdict: Outcome = Field(description="Verdict of the design with the usual clearance.")
 
     @classmethod
     def of(cls, name: str, results: Results, judged: Verdict, *, largest: bool) -> Values:
@@ -51,8 +51,8 @@ def _largest_torque(results: Results) -> float | None:
 class SpreadOut(ResponseModel):
     """Values that sampled pieces keep."""
 
-    median: float = result("Half of them have no more.")
-    percent_90: float = result("Nine tenths of them have no more.")
+    median: float = result("Value that half of the pieces do not exceed.")
+    percent_90: float = result("Value that 90 % of the pieces do not exceed.")
 
 
 class UsualModificationOut(ResponseModel):
@@ -62,27 +62,32 @@ class UsualModificationOut(ResponseModel):
 
     BESIDE = ("peak_force_N", "max_pressure_MPa", "backlash_arcmin", "largest_torque_Nm", "verdict")
 
-    ring_class: RingClass = Field(alias="class", description="How discs and ring are made.")
+    ring_class: RingClass = Field(alias="class", description="Manufacture of discs and ring.")
     equidistant_mm: float = result("Equidistant modification of the discs.", symbol="Δ_e")
     pin_zone_diameter_mm: float = result(
-        "Diameter of the zone of each pin of the ring; 0 where their places are given."
+        "Diameter of the round tolerance zone of each ring pin's centre; 0 if the places of the"
+        " pins are given."
     )
-    samples: int = result("Pieces.")
-    crank_angles: int = result("Crank angles at which each is looked at.")
+    samples: int = result("Number of pieces drawn.")
+    crank_angles: int = result("Number of crank angles at which each piece is calculated.")
     peak_force_N: SpreadOut = Field(
-        description="Largest force of all pairs over the turn, under the torque times its factor."
+        description="Largest force of all pairs over the turn, under the torque times the "
+        "application factor."
     )
-    max_pressure_MPa: SpreadOut = Field(description="Largest pressure, likewise.")
+    max_pressure_MPa: SpreadOut = Field(
+        description="Largest pressure over the turn, under the torque times the application factor."
+    )
     backlash_arcmin: SpreadOut = Field(
         description="Largest play of the output by the teeth alone over the turn."
     )
     cannot_assemble: float = result("Share of the pieces that press without load.")
     largest_torque_Nm: Maybe[float] = result(
-        "Torque at which the first check fails, where it is asked and known, of the piece with the "
-        "pressure of nine tenths."
+        "Torque at which the first check fails, if requested and known, for the piece whose "
+        "pressure 90 % of the pieces do not exceed."
     )
     verdict: Outcome = Field(
-        description="Of the design with that piece; with a usual clearance where none is known."
+        description="Verdict of the design with that piece, with a usual clearance if none is "
+        "known."
     )
 
     @classmethod

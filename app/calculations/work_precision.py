@@ -43,7 +43,7 @@ ONE_METHOD = {
 }
 """Method of each calculation that has one, of ideal forces, by every name that it has had."""
 
-compared = partial(Field, description="Whose methods are compared.")
+compared = partial(Field, description="Calculation whose methods are compared.")
 
 
 class Study(RequestModel):
@@ -172,9 +172,9 @@ COMPARED = [
 class ReferenceOut(ResponseModel):
     """Reference against which errors are measured."""
 
-    method: str = result("How the reference was got, in English.")
-    method_code: str = result("The same by code.")
-    digits: int = result("Decimal digits that it is right to.")
+    method: str = result("Method of the reference, in English.")
+    method_code: str = result("Method of the reference, by code.")
+    digits: int = result("Number of correct decimal digits.")
 
     @classmethod
     def values(cls, result: Reference, run_time_us: float | None = None, **given: Any) -> Values:
@@ -185,14 +185,14 @@ class ReferenceOut(ResponseModel):
 class WorkPointOut(ResponseModel):
     """One method at one setting."""
 
-    method: str = result("The method, in English.")
-    method_code: str = result("The same by code.")
-    setting: str = result("What was varied, in English.")
-    setting_code: str = result("The same by code.")
-    setting_value: float = result("Its value.")
-    relative_error: float = result("Error against the reference, relative.")
+    method: str = result("Method, in English.")
+    method_code: str = result("Method, by code.")
+    setting: str = result("Setting that is varied, in English.")
+    setting_code: str = result("Setting that is varied, by code.")
+    setting_value: float = result("Value of the setting.")
+    relative_error: float = result("Relative error against the reference.")
     run_time_us: float = result("Run time.")
-    evaluations: int = result("Evaluations of the function behind the method.")
+    evaluations: int = result("Number of evaluations of the method's function.")
 
     @classmethod
     def values(cls, result: WorkPoint, run_time_us: float | None = None, **given: Any) -> Values:
@@ -210,9 +210,9 @@ class WorkPointOut(ResponseModel):
 class WorkPrecisionResponse(ResponseModel):
     """Error against run time of every method, and the method that the calculators use."""
 
-    reference: ReferenceOut = result("What the errors are measured against.")
-    points: list[WorkPointOut] = result("Every method at each of its settings.")
-    chosen: WorkPointOut = result("The method that the calculators use.")
+    reference: ReferenceOut = result("Reference against which the errors are measured.")
+    points: list[WorkPointOut] = result("Results of every method at each of its settings.")
+    chosen: WorkPointOut = result("Method that the calculators use.")
 
 
 EXACT = 1e-17

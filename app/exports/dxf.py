@@ -73,19 +73,21 @@ class DxfRequest(RequestModel, group="drawing"):
     """Design, and the parts that are drawn."""
 
     design: CrankPlanetaryRequest = Field(
-        description="The request of /crank-planetary, with a ring of pins whose modification is "
-        "given, or with involute teeth whose profile shifts and heights are: what is not known is "
-        "not drawn. Its deviations are not drawn, and what it asks for is not answered."
+        description="Request of /crank-planetary with a ring of pins whose modification is given,"
+        " or with involute teeth whose profile shifts and heights are given, as "
+        "unknown shapes are not drawn. Deviations are not drawn, and the results that"
+        " the request names are not calculated."
     )
     parts: list[str] = Field(
         min_length=1,
         max_length=MAX_SATELLITES + 1,
-        description="Parts: satellite_1 to the number of satellites, and ring_pins, of involute "
-        "teeth ring; one answers a DXF file, several a ZIP of one each.",
+        description="Parts to draw: satellite_1 up to the number of satellites, and ring_pins, or"
+        " ring for involute teeth. One part gives a DXF file, several give a ZIP with"
+        " one file each.",
         json_schema_extra={"items": {"type": "string", "pattern": f"^({PART})$"}},
     )
     chord_error_mm: float = quantity("Chord error", "ε", default=0.001, step=0.001, ge=1e-6, le=1)
-    """How far the outline may be from the polygon of its points."""
+    """Largest distance of the outline from the polygon of its points."""
 
     @model_validator(mode="after")
     def _has_the_parts(self) -> Self:

@@ -34,7 +34,7 @@ FARTHEST = 1e6
 LEAST = 1e-6
 """Least part of a failing torque that is tried, as parts with interference press without torque."""
 
-TOO_MUCH = ("not_stable", "not_balanced", "beyond_hertz", "contact_wraps")
+TOO_MUCH = ("not_stable", "beyond_hertz", "contact_wraps")
 """Reasons why a check is not known under a torque, but may be under less."""
 
 BY_RANGE = ("range_decides", "default_decides")

@@ -64,7 +64,6 @@ WAS = {
         "contact_wraps": "hertz_impossible",
         "no_mechanism": "no_balance",
         "no_room_in_hole": "no_balance",
-        "not_balanced": "no_balance",
         "not_stable": "no_balance",
         "overflow": "no_balance",
         "smaller_than": "no_balance",

@@ -75,7 +75,6 @@ IMPOSSIBLE = {
     "they are too large",
     "no_room_in_hole": "The hole of satellite {satellite} is not larger than pin {pin}, or a "
     "deviation leaves nothing of a radius",
-    "not_balanced": "The forces cannot be balanced within the range of numbers",
     "not_stable": "The forces do not hold the output: its torque falls as it turns on",
     "no_radius_left": "A deviation leaves nothing of the radius of pin {pin} of the ring, or of "
     "the crank of satellite {satellite}",

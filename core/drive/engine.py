@@ -133,7 +133,7 @@ the root of force over reduced radius and that distance. ALONG is the force of t
 along its crank towards the axis, INTERFERENCE the least value over all lags of the largest approach
 without load."""
 
-SOLVED, NOT_SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE = range(5)
+SOLVED, NO_DRIVE, NOT_STABLE, TOO_WIDE = range(4)
 """Status of a position."""
 
 FITS, BINDS, NOWHERE = 2, 1, 0
@@ -1718,6 +1718,8 @@ def narrow(
             if right:
                 a, at_a, b, at_b, c, at_c = low, at_low, best, top, high, at_high
                 d, at_d = further, at_further
+            if a == b or c == d:
+                continue
             rise, fall = (at_b - at_a) / (b - a), (at_c - at_d) / (d - c)
             if rise > 0 and fall > 0 and math.isfinite(rise + fall):
                 off = (at_c - at_b + fall * (c - b)) / (rise + fall)

@@ -23,7 +23,6 @@ from core.precision import ROUNDING
 REFUSALS = {
     engine.NO_DRIVE: "dead_centre",
     engine.NOT_STABLE: "not_stable",
-    engine.NOT_SOLVED: "not_balanced",
     engine.TOO_WIDE: "beyond_hertz",
 }
 """Codes of the refusals of positions that cannot be solved."""

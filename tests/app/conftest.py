@@ -29,7 +29,9 @@ async def api():
 
 
 class Gate:
-    """Where jobs in processes wait until a test lets them pass, however quick the machine is.
+    """Gate at which jobs in processes wait until a test lets them pass. Of its two files, which
+    reach every process, one grows with each job that arrives, and the size of the other is the
+    number of jobs that may pass.
 
     Its two files reach every process: one grows with each that comes, the other is as large as the
     number that may pass.

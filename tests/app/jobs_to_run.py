@@ -46,13 +46,13 @@ def held(gate: Path, tell, job=None, *asked):
 
 
 def told_when_let(gate: Path, *asked: Any) -> None:
-    """What the service does in a process, once a test lets it pass."""
+    """Job of the service in a process that ends once a test lets it pass."""
     wait_at(gate)
     processes.told(*asked)
 
 
 def told_half_way(gate: Path, *asked: Any) -> None:
-    """The same of a study that tells that half of it is done before it waits."""
+    """Study that reports half of its work before it waits for the test."""
     study = CALCULATIONS["tolerance-study"]
 
     def half(body: Any, report: Callable[[float], None]) -> Values:
@@ -102,7 +102,7 @@ def noted(file: Path, body: HertzRequest) -> Values:
 
 
 def endless(file: Path, body: HertzRequest) -> Values:
-    """The same, but a force of 666 N takes for ever."""
+    """Job that ends once a test lets it pass, but never for a force of 666 N."""
     values = noted(file, body)
     if body.force_N == 666:
         signal.pause()

@@ -1,4 +1,4 @@
-"""What was not given and decides is said; ratios with a sign, below 1, that are not whole."""
+"""Assumed values are in the answer; ratios with a sign, below 1, or not whole."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What is assumed since it is not given: every number and choice that the service fills."""
+"""Every number and choice that the service fills in is in `assumed`."""
 
 from collections.abc import Iterator
 from copy import deepcopy
@@ -195,7 +195,7 @@ def test_a_hob_that_is_not_given_decides_nothing_alone(radius: float | None, sta
     ],
 )
 def test_a_reliability_is_said_where_it_counts(given: dict[str, Any], said: bool) -> None:
-    """Of 99 % a pin bears 0.814 of what it does of the 50 % that are taken."""
+    """At 99 % a pin endures 0.814 of the strength at the default 50 %."""
     strong = {"surface": "ground"} if "endurance_limit_MPa" not in given else {}
     body = INVOLUTE | {"fatigue": {"fatigue_notch_factor": 1.5} | strong | given}
     answer = answered(body)

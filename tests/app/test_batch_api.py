@@ -33,7 +33,7 @@ PATHS = {
 
 
 def same(one, other, name=""):
-    """Whether answers agree, but for the last digits and for how they were got."""
+    """True if answers agree but for the last digits and the accuracy."""
     if isinstance(one, dict):
         return set(one) == set(other) and all(
             each == "accuracy" or same(one[each], other[each], each) for each in one
@@ -189,7 +189,7 @@ async def test_a_request_whose_process_dies_is_tried_once_more_alone(tmp_path):
 
 
 async def test_a_batch_that_is_under_way_is_not_refused_for_a_full_queue(held):
-    """It waits for another process while the queue is full, as its own was killed."""
+    """The batch waits for another process while the queue is full, as its own was killed."""
     body = {"calculation": "contact_force", "requests": [REQUESTS["contact-force"]] * 60}
     single = {"pins": 270, "satellites": 10, "ratio": 20.0, "crank_spacing_deg": 7.0}
     app = create_app(Settings(processes=1, max_waiting=1))

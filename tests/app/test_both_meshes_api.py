@@ -100,7 +100,7 @@ async def test_a_torque_that_alternates_is_answered_by_its_worse_direction(api):
 
 
 async def test_of_the_ring_as_output_the_lag_is_its_own(api):
-    """The same torque on the pins, and the angles against them."""
+    """Torque on the pins and angles relative to the pins are equal."""
     pins = (await answered(api, BASE))["positions"][0]
     load = {"output_torque_Nm": 240 * 21 / 20}
     ring = (await answered(api, changed(mechanism={"output": "ring"}, load=load)))["positions"][0]
@@ -109,7 +109,9 @@ async def test_of_the_ring_as_output_the_lag_is_its_own(api):
 
 
 async def test_over_all_turns(api):
-    """As many as a disc has lobes: no position passes the extremes, and the ring has its own."""
+    """Over as many turns as a disc has lobes no position exceeds the extremes; the ring has its
+    own.
+    """
     body = changed(include=["over_turn", "positions", "ideal"], crank_angle_deg=[0, 800, 1800])
     answer = await answered(api, body)
     turn, positions = answer["over_turn"], answer["positions"]

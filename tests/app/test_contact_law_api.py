@@ -116,7 +116,7 @@ async def test_forces_and_pressures_are_those_of_the_whole_design(
 
 
 async def test_a_wide_contact_of_metals_has_the_pressure_that_is_judged(api: Any) -> None:
-    """It had Hertz's: its forces stay."""
+    """Forces keep their values; the pressure was Hertz's before."""
     metal = body(material="steel_bearing", contact=WRAPS, load=BASE["load"] | {
         "output_torque_Nm": 2000
     })  # fmt: skip

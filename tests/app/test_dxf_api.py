@@ -159,7 +159,7 @@ async def test_holes_and_cranks_are_where_the_answer_has_them(api):
 
 @pytest.mark.parametrize("error", [0.3, 0.01, 1e-4])
 def test_the_chord_error_that_is_said_is_that_of_the_outline(error):
-    """Of a curve made here from the tool's path, with 200 places on each of the sides of a lobe."""
+    """The curve is made here from the tool's path, with 200 places on each side of a lobe."""
     _, drawn = files(UNEVEN, parts=["satellite_1"], chord_error_mm=error)
     polygon, stated = outline(drawn["satellite_1"]), said(drawn["satellite_1"], "chord_error_mm")
     assert stated <= error
@@ -251,7 +251,7 @@ def asked(body):
 
 
 def refused(body):
-    """What is wrong with the one wrong field of a request."""
+    """Problem of the one wrong field of a request."""
     with pytest.raises(Problem) as caught:
         asked(body)
     (error,) = caught.value.errors

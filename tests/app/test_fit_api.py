@@ -259,7 +259,7 @@ def _scaled(values, size):
 
 
 async def test_arcs_of_pins(api):
-    """Of each pin by itself; one whose hole is off outward has none at some angles."""
+    """Each pin has its own arc; a pin whose hole is off outward has none at some angles."""
     body = OUTWARD | {"include": ["positions"], "crank_angle_deg": [0.0, 180.0]}
     blocked, free = (await api.post(PATH, json=body)).json()["positions"]
     assert blocked["pairs"][0][0] == [] and "window_arcmin" not in blocked
@@ -311,7 +311,7 @@ async def test_a_fit_by_its_classes_is_its_clearance(api):
 
 
 async def test_it_is_the_fit_of_the_load_sharing(api):
-    """What both say is the same."""
+    """Values that both answers contain are equal."""
     for body in (DEVIATING, turned(1.5), SPIKED):
         load = body["load"] | {"output_torque_Nm": 20.0}
         other = (await api.post("load-sharing", json=body | {"load": load})).json()["fit"]

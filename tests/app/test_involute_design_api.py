@@ -33,7 +33,7 @@ del TEETH["contact"]["fit"]
 
 
 def changed(**sections: Any) -> dict[str, Any]:
-    """These teeth with other fields; None takes one away."""
+    """Teeth of the design with other fields; None removes a field."""
     body = deepcopy(TEETH)
     for section, values in sections.items():
         if not isinstance(values, dict):

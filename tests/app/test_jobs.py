@@ -216,7 +216,7 @@ if __name__ == "__main__":
 
 
 def test_a_server_that_is_still_importing_is_not_waited_for(tmp_path):
-    """It may compile the loops for minutes; here it waits for what never comes."""
+    """A server may compile loops for minutes; here it never answers."""
     for name in ("came", "never"):
         os.mkfifo(tmp_path / name)
     (tmp_path / "held.py").write_text("open('came', 'w').close(), open('never').read()")
@@ -227,7 +227,7 @@ def test_a_server_that_is_still_importing_is_not_waited_for(tmp_path):
 
 
 def test_a_server_that_is_ended_is_gone_for_who_starts_the_next_process():
-    """Where it was still dying, multiprocessing asked it once more, and jobs were refused."""
+    """A dying server was asked again by multiprocessing, and jobs were refused."""
     forkserver.ensure_running()
     server = forkserver._forkserver._forkserver_pid
     module._end_server()

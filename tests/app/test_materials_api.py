@@ -20,7 +20,7 @@ PRINTED = {
 
 
 async def refused(api, material):
-    """What is wrong with a material of a hole."""
+    """Problem with the material of a hole."""
     answer = await api.post("hertz", json=HERTZ | {"hole_material": material})
     assert answer.status_code == 422
     (error,) = answer.json()["errors"]
@@ -289,7 +289,7 @@ async def test_a_contact_above_what_any_plastic_bears_fails_whatever_its_name(ap
 
 @pytest.mark.anyio
 async def test_a_printed_drive_by_name_is_marginal_where_its_material_decides(api):
-    """What was measured in one is no certain failure, and the answer says what to enter."""
+    """One measured value is no certain failure, and the answer says what to enter."""
     body = PRINTED | {"include": ["checks"]}
     cold = (await api.post("crank-planetary", json=body)).json()["cold_yield"]
     ways = {0.9: "not_checked", 1.1: "marginal", 2.0: "marginal", 100.0: "fail"}

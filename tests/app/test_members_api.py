@@ -121,7 +121,7 @@ WHOLE = design() | {
 
 
 def of(output, **changes):
-    """The same design with another output."""
+    """Design with another output."""
     body = WHOLE | {"mechanism": WHOLE["mechanism"] | {"output": output}}
     for section, values in changes.items():
         body[section] = body[section] | values

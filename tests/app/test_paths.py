@@ -1,4 +1,4 @@
-"""Where core parameters are in requests: the pointers of refusals, and of the inputs of checks."""
+"""Paths of core parameters in requests: pointers of refusals and of the inputs of checks."""
 
 from typing import Any
 
@@ -37,7 +37,9 @@ PIN = {"satellite_positions_mm": [15.0, 37.0]}
     ],
 )
 def test_the_path_of_a_parameter(given: dict[str, Any], parameter: str, path: Any) -> None:
-    """The same whether the section is given, so that a refusal can name what is missing."""
+    """The path does not depend on the section being given, so that a refusal can name a missing
+    one.
+    """
     assert CrankPlanetaryRequest.model_validate(BODY | given).path_of(parameter) == path
 
 

@@ -244,7 +244,7 @@ async def test_hollow_standoffs_of_an_open_design(api):
 
 
 async def test_forces_and_pieces_have_the_play_of_the_rollers(api):
-    """Where nothing wraps, forces and play are those of as much more clearance."""
+    """Forces and play equal those of a clearance larger by the rollers' play, without wrapping."""
     loose = having(
         SMALL,
         contact={"hole_clearance_mm": 0.02},

@@ -43,7 +43,9 @@ async def test_the_reference_design(api):
 
 
 async def test_the_worst_direction_of_a_high_exponent(api):
-    """Of a random request, by an oracle at 40 digits: what is followed there is not the worst."""
+    """Random request with an oracle at 40 digits; the first local search misses the worst
+    direction.
+    """
     body = {
         "mechanism": {"pins": 2, "satellites": 4, "ratio": 500000, "crank_spacing_deg": 90.0},
         "load": {

@@ -123,7 +123,7 @@ async def test_a_limit_is_said_with_its_number_in_the_unit_of_the_field(
 
 
 def test_no_limit_is_said_in_words_alone():
-    """Of all refusals and warnings that compare; two diameters that were typed are no limit."""
+    """Refusals and warnings that compare state a number; two typed diameters are no limit."""
     compares = re.compile(r"(must be|is) (at (most|least)|(larger|smaller|greater|less)\b)")
     number = re.compile(r"{(limit|error|ratio|share|value)[:}]|\d|a (tenth|half|right angle)")
     texts = TEXTS | {code: kind.text for code, kind in WARNINGS.items()}

@@ -281,7 +281,7 @@ def test_what_stays_in_the_event_loop_is_little_work_whatever_the_exponent_is(na
 
 @pytest.fixture(scope="module")
 def thirty_ms():
-    """What a quiet machine does in 30 ms: packing a megabyte of digits."""
+    """Work that takes a quiet machine 30 ms: packing a megabyte of digits."""
     digits = random.Random(1)
     return partial(gzip.compress, ",".join(str(digits.random()) for _ in range(50_000)).encode(), 3)
 

@@ -41,7 +41,7 @@ async def test_a_process_fills_what_is_not_given(api):
 
 
 async def test_it_is_as_if_the_guides_were_typed(api):
-    """And a field that is given stands."""
+    """Fields that are given keep their values."""
     typed = {
         "pin_position_mm": 0.2,
         "hole_position_mm": 0.2,

@@ -430,7 +430,7 @@ async def test_an_efficiency_says_what_it_leaves_out(api):
     ("pins", "radius", "said"), [(3, 16.0, True), (3, 10.0, False), (4, 16.0, False)]
 )
 async def test_thick_pins_that_are_few_may_be_crankshafts(api, pins, radius, said):
-    """Those of an RV with three crankshafts: r 16 on R 36."""
+    """Sizes of an RV reducer with three crankshafts: r 16 on R 36."""
     body = {
         "mechanism": {"pins": pins, "satellites": 2, "satellite_teeth": 39, "ring_teeth": 40},
         "load": {"output_torque_Nm": 412, "pin_circle_radius_mm": 36},
@@ -456,7 +456,7 @@ async def test_a_ratio_that_teeth_contradict_is_said(api):
 
 
 async def test_holes_outside_the_satellite_are_said_in_millimetres(api):
-    """Of which the distance of their edge was said, negative, in their radii."""
+    """The distance of their edge was stated before as a negative number of radii."""
     body = changed(
         PRINTED,
         contact__hole_radius_mm=3.51,

@@ -76,7 +76,7 @@ async def checks_of(api, body):
 
 @pytest.mark.parametrize("name", DESIGNS)
 async def test_at_its_reserve_a_check_is_at_its_limit(api, name):
-    """Of ideal forces each, of those that are solved the one that fails first, from below."""
+    """Every check by ideal forces is; by solved forces the first to fail is, from below."""
     body = DESIGNS[name]
     answer = await answered(api, body)
     reserves = {
@@ -264,7 +264,7 @@ OVERLOADED = {
 @pytest.mark.parametrize("name", OVERLOADED)
 @pytest.mark.parametrize("factor", [1e3, 1e4, 1e6])
 async def test_what_fails_under_less_torque_fails(api, name, factor):
-    """As far as anything is known there: on the way to the torque it is passed."""
+    """A failure on the way to the torque counts as far as it is known there."""
     found = await answered(api, times(OVERLOADED[name], factor))
     assert found["verdict"] == "fail"
     (contact,) = (part for part in found["parts"] if part["code"] == "contact")

@@ -55,8 +55,8 @@ def changed(**sections):
 
 @pytest.mark.slow
 async def test_a_larger_modification_erases_no_check(api):
-    """Of a public drive, by 3.1 times the radius of its valleys: perfect discs are pressed to
-    141.5 MPa, of more play fewer carry.
+    """Public drive with 3.1 times the radius of its valleys: perfect discs have 141.5 MPa; with
+    more play fewer pairs carry.
     """
     body = {
         "mechanism": {"pins": 6, "satellites": 2, "satellite_teeth": 20, "ring_teeth": 21},
@@ -125,7 +125,7 @@ async def test_a_disc_at_the_limit_of_undercut_fails_by_it(api):
 
 
 def test_fixes_of_teeth_that_are_solved_take_few_looks(monkeypatch):
-    """Of a public printed drive: by secants, also where the check's reserve was looked for."""
+    """Public printed drive: secants solve for fixes, and for the reserve of a check."""
     looks = []
 
     def counted(**given):
@@ -217,7 +217,7 @@ async def test_what_does_not_fit_together_is_refused(api, sections, pointer, cod
 
 
 async def test_pins_of_the_ring_leave_those_of_the_output_alone(api):
-    """Where only the ring's pins deviate, nothing is said of the parts of the output."""
+    """Deviations of ring pins alone say nothing about the parts of the output."""
     perfect = {"contact": {"hole_clearance_mm": 0.0}, "satellite_coupling": {"kind": "rigid"}}
     made = {"deviations": {"ring_pin_radial_mm": [0.001] * 20}}
     for sections, model in ((made, "ideal"), ({"deviations": {}}, "real")):
@@ -257,7 +257,7 @@ async def test_the_mesh_is_what_its_endpoint_answers(api):
 
 
 async def test_the_law_of_the_teeth_is_their_own(api):
-    """Of the design, of the ring alone by either of its fields, of which the ring's counts."""
+    """The law is given by the design or by either field of the ring; the ring's field counts."""
     law, other = ({"kind": "linear", "stiffness_N_per_mm": k} for k in (1e5, 2e5))
     alone = {**ALONE, "deviations": None, "include": ["over_turn"]}
     del alone["deviations"]
@@ -378,7 +378,7 @@ async def test_angles_are_those_of_the_output(api):
 
 
 async def test_more_forces_than_are_solved_in_series_are_said(api):
-    """Of 58 lobes, pins of the ring that deviate: 58 turns of 59 pitches."""
+    """Ring pins that deviate with 58 lobes need 58 turns of 59 pitches."""
     body = {
         "mechanism": {"pins": 8, "satellites": 2, "ratio": 58},
         "load": {"output_torque_Nm": 50, "pin_circle_radius_mm": 30},

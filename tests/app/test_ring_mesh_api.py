@@ -59,7 +59,7 @@ async def test_case(api, case):
 
 
 async def test_where_a_step_of_the_torque_is_not_reached_forces_are_found(api):
-    """Of a usual drive of steel, which was `not_balanced`: there too, and no less over the turn."""
+    """Usual steel drive; forces over the turn are no smaller than at its positions."""
     body = {
         "mechanism": {"satellite_teeth": 20, "ring_teeth": 21, "satellites": 1},
         "load": {"output_torque_Nm": 10.0},
@@ -233,7 +233,7 @@ async def test_what_takes_too_long_is_refused(api):
 
 
 async def test_a_ring_of_more_than_a_hundred_metres_is_refused_at_once(api):
-    """Its turn takes half a minute."""
+    """Calculating its turn would take half a minute."""
     design = {"mechanism": BASE["mechanism"] | {"pins": 6}, "gear": {"kind": "cycloid"}}
     for path, body in ((PATH, deepcopy(BASE)), ("crank-planetary", design)):
         for name in ("ring_pin_circle_radius_mm", "ring_pin_radius_mm"):
@@ -244,7 +244,7 @@ async def test_a_ring_of_more_than_a_hundred_metres_is_refused_at_once(api):
 
 
 async def test_nothing_happens_where_pins_stand_off_a_valley(api):
-    """Of a public design, whose valleys are round by 0.015214 mm."""
+    """Public design whose valleys have a radius of 0.015214 mm."""
     gear = {
         "kind": "cycloid",
         "ring_pin_circle_radius_mm": 26.5,

@@ -136,7 +136,7 @@ def test_what_the_schema_says_of_rules_is_a_schema():
 
 
 def test_what_is_asked_whether_it_is_given_is_a_field():
-    """Of some request: the one that is asked has it, or is of a kind without."""
+    """Some request has every field that rules name, unless its kind has no such field."""
     every = set[str]().union(*map(_paths, _models(RequestModel)))
     asked = [
         call.args[0].value

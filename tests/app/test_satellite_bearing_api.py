@@ -84,7 +84,7 @@ async def test_other_teeth_than_those_of_the_mechanism_are_refused(api):
 
 
 async def test_loads_do_not_ask_how_thick_the_pins_of_the_ring_are(api):
-    """Whether they overlap is a check of the whole design."""
+    """A check of the whole design says if ring pins overlap."""
     ring = {"kind": "cycloid", "ring_pin_circle_radius_mm": 84.0}
     thick = ring | {"ring_pin_radius_mm": 80.0}
     plain, pinned = [
@@ -164,7 +164,7 @@ IDLE = {
 
 @pytest.mark.parametrize("phases", [[0, 0.02], [0, 0.02, 0.04]])
 async def test_a_satellite_that_carries_nothing_is_said(api, phases):
-    """Its bearing has no life, and the others are judged: the same with it and without it."""
+    """The bearing has no life; results of the others do not depend on it."""
     body = deepcopy(IDLE) | {"deviations": {"disc_phase_deg": phases}}
     body["mechanism"]["satellites"] = len(phases)
     answer = (await api.post("satellite-bearing", json=body)).json()

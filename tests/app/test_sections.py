@@ -1,6 +1,5 @@
-"""What belongs together and stands in several tables: sections of the whole design, requirements,
-examples and oracles of all calculations.
-"""
+"""Tables that belong together: sections of the whole design, requirements, examples and oracles of
+all calculations."""
 
 from dataclasses import fields
 

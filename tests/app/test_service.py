@@ -1,4 +1,4 @@
-"""What the service says about itself, its pages, and the headers around every answer."""
+"""Information about the service, its pages, and the headers of every answer."""
 
 import hashlib
 import json
@@ -208,7 +208,7 @@ async def test_the_description_is_enough_for_a_form(api):
 
 
 async def test_the_values_of_each_choice_have_names_of_their_own_in_generated_clients(api):
-    """Where `f7` and `F7` are both F7."""
+    """Clients that ignore case would turn both `f7` and `F7` into F7."""
 
     def choices(schema):
         if isinstance(schema, dict):
@@ -227,7 +227,7 @@ async def test_the_values_of_each_choice_have_names_of_their_own_in_generated_cl
 
 
 async def test_every_input_says_what_it_is(api):
-    """Where a field is a section of a request, the section's own words do."""
+    """A field that is a section has the description of the section."""
     schema = (await api.get("openapi.json")).json()
     models = schema["components"]["schemas"]
     bodies = [
@@ -430,7 +430,7 @@ async def test_nothing_is_compressed_for_who_does_not_take_that(api):
 
 
 async def test_the_line_of_a_request_suits_every_formatter(api):
-    """Its record has all that `logging` promises, not only what our own lines show."""
+    """The record has all attributes that `logging` promises, not only those of our format."""
     lines = []
 
     class Lines(logging.Handler):

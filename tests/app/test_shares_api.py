@@ -1,4 +1,4 @@
-"""Which satellite carries what, over REST: a share that is stated, or that forces have."""
+"""Shares of the satellites over REST, stated or from forces."""
 
 import math
 from copy import deepcopy
@@ -70,7 +70,7 @@ def with_factor(body, factor, **more):
 
 
 async def test_an_uneven_share_reaches_the_bending_of_the_pins(api):
-    """Of a peer's specification: d 5 mm at 3.675 mm under 4*T*K/(N*R)."""
+    """Specification by a user: d 5 mm at 3.675 mm under 4*T*K/(N*R)."""
     answer = await answered(api, ALONE)
     force = 4 * 8800 * 2 / (6 * 32.9)
     strength = answer["pin_strength"]

@@ -66,7 +66,7 @@ def teeth(design):
 
 
 def exist(design):
-    """Whether the teeth of a design exist."""
+    """True if the teeth of a design exist."""
     (z_s, z_r), gear = teeth(design), design["gear"]
     e = design["contact"]["eccentricity_mm"]
     if gear["kind"] == "involute":

@@ -68,7 +68,7 @@ async def answered(api, path, body):
 
 
 async def test_a_piece_is_what_load_sharing_makes_of_it(api):
-    """Of limits that leave nothing to chance: the same deviations, listed."""
+    """With equal lower and upper limits the deviations can be listed."""
 
     def just(value):
         return {"lower_mm": value, "upper_mm": value}

@@ -109,7 +109,7 @@ async def test_what_is_assumed_and_warned_of_is_of_the_request(api):
 
 
 async def test_the_whole_run(api):
-    """Its four pieces that do not fit are left out of the percentiles, whose ranks move by two."""
+    """Four pieces do not fit and are left out of the percentiles, whose ranks move by two."""
     answer = await answered(api, CHECKED | {"samples": 4096})
     force = answer["quantities"]["peak_force_N"]
     expected = run(4096, exact=True)

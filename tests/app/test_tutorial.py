@@ -59,7 +59,7 @@ def named(record, answer):
 
 
 def compare(printed, answer, place=""):
-    """What is printed stands in the answer, numbers to their last printed digit."""
+    """Assert that the answer contains the printed values, numbers to their last printed digit."""
     if isinstance(printed, dict):
         for name, value in printed.items():
             assert name in answer, f"{place}/{name}"

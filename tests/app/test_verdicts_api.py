@@ -641,7 +641,7 @@ async def test_satellites_that_are_alike(api):
 
 
 async def test_beside_a_check_that_cannot_be_made_the_governing_one_is_fixed(api):
-    """That one comes first in the list, and has no fix."""
+    """The check that cannot be made comes first in the list and has no fix."""
     body = design(load__output_torque_Nm=1.0)
     answer, checks = await asked(api, "crank-planetary", body | {"include": ["checks"]})
     pressure = checks["contact_pressure_hole"]["torque_reserve"]
@@ -778,7 +778,7 @@ async def test_whole_numbers_and_what_cannot_be(api):
 
 
 async def test_a_number_of_pins_is_whole_whether_or_not_that_is_said(api):
-    """Of 129 places between 3 and 20 only two are whole."""
+    """Only two of 129 places between 3 and 20 are whole."""
     target = {"pointer": "/checks/contact_pressure_hole/torque_reserve", "at_least": 3.0}
     said = await solved(api, design(), "/mechanism/pins", 3, 20, target, integer=True)
     unsaid = await solved(api, design(), "/mechanism/pins", 3, 20, target)
@@ -821,7 +821,7 @@ LISTED = {"pin_radial_mm": [0.01] * 6}
     ],
 )
 async def test_what_no_value_cures_is_refused_by_name(api, changes, code):
-    """It was `infeasible`; the lists cannot follow the pins."""
+    """The status was `infeasible` before; lists cannot follow the number of pins."""
     response = await api.post("solve", json=REQUESTS["solve"] | {"input": design()} | changes)
     assert response.status_code == 422, response.text
     first = response.json()["errors"][0]

@@ -1,4 +1,4 @@
-"""What the service says by code: every code has its words, for the page and for other languages."""
+"""Every code of the service has words, for the page and for other languages."""
 
 import json
 import re
@@ -79,7 +79,7 @@ async def test_words_are_those_of_the_answers(api):
 
 @pytest.mark.parametrize("path", [name for name, each in CALCULATIONS.items() if each.figure])
 async def test_every_word_of_a_figure_has_an_id(api, path):
-    """What the texts of a figure name has no words beside them; the ids and their places agree."""
+    """Named texts of a figure have no other words; ids and their places agree."""
     figure = (await api.post(f"{path}/chart", json=REQUESTS[path])).json()
     worded = set()
     for place, code, params in figure["layout"]["meta"]["words"]:

@@ -60,7 +60,7 @@ MADE_OF_OTHERS = {"crank-planetary", "solve", "work-precision"}
 
 @pytest.mark.parametrize("calculation", sorted(CALCULATIONS.keys() - MADE_OF_OTHERS))
 async def test_what_has_one_method_is_refused_with_what_that_promises(api, calculation):
-    """And what is compared is what the service says so of, whatever the input is."""
+    """The service names the compared calculations, for any input."""
     listed = (await api.get("calculations")).json()["calculations"]
     (said,) = (each["compared"] for each in listed if each["name"] == calculation)
     body = {"calculation": calculation, "input": {}}

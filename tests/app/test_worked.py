@@ -109,7 +109,7 @@ def test_every_formula_gives_the_result(case: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("case", REQUESTS)
 def test_every_formula_follows_the_inputs(case: str) -> None:
-    """Where inputs move by a hundredth, core's numbers move, and the formulas with them."""
+    """Inputs that move by a hundredth move core's numbers, and the formulas with them."""
     calculation, body = REQUESTS[case]
     paths = [*numbers(body)]
     assert 4 * refused(calculation, body, paths) < len(paths)
@@ -274,7 +274,7 @@ def test_what_is_solved_says_how(calculation: str) -> None:
 
 
 def test_every_calculation_is_worked() -> None:
-    """But the studies of methods, which are about the numbers of the others."""
+    """Exceptions are the studies of methods, which concern numbers of other calculations."""
     without = {"work-precision"}
     for name, calculation in CALCULATIONS.items():
         fields = getattr(calculation.request, "model_fields", {})

@@ -1,4 +1,4 @@
-"""What core exports is documented, and the documentation speaks of what is there."""
+"""Exports of core are documented, and the documentation names things that exist."""
 
 import ast
 import dataclasses
@@ -110,6 +110,34 @@ def test_every_public_name_has_a_docstring():
     assert [each for each in every if not (each.__doc__ or "").strip()] == []
     # the signature is no description
     assert [each for each in every if each.__doc__.strip().startswith(f"{each.__name__}(")] == []
+
+
+HANGING = set(
+    re.findall(
+        r"\w+",
+        "and as but else he it its likewise of so such that them these they this those what where "
+        "whether which whose",
+    )
+)
+"""First words of texts that hang on others or are no sentence, in lower case."""
+
+
+def hangs(text: str) -> bool:
+    """True if a docstring begins with a word of `HANGING`, or with "The same"."""
+    first, second, *_ = [*(word.strip(",.:").lower() for word in text.split()), "", ""]
+    return first in HANGING or (first, second) == ("the", "same")
+
+
+@pytest.mark.parametrize("place", ["core", "app", "clients", "benchmarks", "tests"])
+def test_no_docstring_begins_as_if_it_went_on(place):
+    kinds = ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef
+    found = [
+        f"{path.relative_to(ROOT)} {getattr(node, 'name', '')}: {text.splitlines()[0]}"
+        for path in sorted((ROOT / place).rglob("*.py"))
+        for node in ast.walk(ast.parse(path.read_text()))
+        if isinstance(node, kinds) and hangs(text := ast.get_docstring(node) or "")
+    ]
+    assert found == []
 
 
 def test_documented_parameters_are_those_of_the_signature():

@@ -26,7 +26,7 @@ def imported(source: str) -> Iterator[str]:
 
 
 def belongs(name: str, importer: str) -> bool:
-    """Whether a module may import this name."""
+    """True if a module may import the name."""
     top = name.split(".")[0]
     if any(part.startswith("test_") for part in name.split(".")):
         return False

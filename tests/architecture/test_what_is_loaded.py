@@ -1,4 +1,4 @@
-"""What importing the calculations loads: NumPy, and nothing that a case may not need."""
+"""Importing the calculations loads NumPy, and nothing that a case may not need."""
 
 import pkgutil
 import sys

@@ -85,9 +85,7 @@ def test_a_benchmark_runs_in_its_smallest_form(
 
 
 def ran_here(command: list[str], monkeypatch: pytest.MonkeyPatch) -> object:
-    """What a module ends with that runs as the main one of this process, which has imported most of
-    what it needs.
-    """
+    """Exit value of a module run as main in this process, which has imported most of its needs."""
     monkeypatch.setattr(sys, "argv", command)
     try:
         runpy.run_module(command[0], run_name="__main__", alter_sys=True)

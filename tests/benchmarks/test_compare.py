@@ -1,4 +1,4 @@
-"""What `make compare` sees of two answers, and what it asks."""
+"""Requests of `make compare`, and differences that it finds between two answers."""
 
 import json
 from collections import Counter

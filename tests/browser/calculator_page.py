@@ -1,4 +1,4 @@
-"""What the tests of every calculator's page do and read."""
+"""Actions and readings shared by the tests of every calculator's page."""
 
 import re
 from io import BytesIO
@@ -34,7 +34,7 @@ def reopen(page: Page) -> None:
 
 
 def asks_results(request: Request) -> bool:
-    """Whether results are asked for: what mends a design is asked later, by the same path."""
+    """True if a request asks for results; fixes are requested later by the same path."""
     body = request.post_data_json if request.url.endswith("/api/v1/crank-planetary") else None
     return "checks" in (body or {}).get("include", [])
 

@@ -47,7 +47,7 @@ DESCRIPTION = [
 
 @dataclass
 class Watch:
-    """What a page asked for and complained about."""
+    """Requests and complaints of a page."""
 
     requests: list[str] = field(default_factory=list)
     later: list[str] = field(default_factory=list)  # that follow results, whenever they come

@@ -70,7 +70,9 @@ def open_page(browser: Browser) -> Iterator[Page]:
 
 
 def violations(page: Page, *changed: str) -> list[str]:
-    """What axe finds in a state that stays: what is still being drawn may be pale for a moment.
+    """Violations that axe finds in a settled state, as parts may be pale while they are drawn.
+    Colours take nine tenths of its time: they are checked in the changed part, else in the whole
+    page, in the light and the dark theme, where nothing else differs.
 
     Colours, nine tenths of its time, are looked at in what has changed, else in the whole page: in
     the light and in the dark, where nothing else differs.

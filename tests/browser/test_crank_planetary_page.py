@@ -446,7 +446,7 @@ def test_an_example_picked_fills_the_form(page: Page, service: str) -> None:
 
 
 def test_a_whole_reducer_picked_shows_all_its_sections(page: Page, service: str) -> None:
-    """What the page asks is what the example says: the same checks with the same values."""
+    """The page sends the request of the example and shows equal checks and values."""
     show(page, service)
     examples = httpx.get(f"{service}/api/v1/examples", trust_env=False).json()["examples"]
     whole = next(one for one in examples if one["id"] == "whole")
@@ -684,7 +684,7 @@ def test_dark_follows_the_system_and_the_switch_and_is_remembered(page: Page, se
 
 
 def test_nothing_is_asked_for_twice_or_in_vain(page: Page, service: str, watch: Any) -> None:
-    """What the head of the page asks for is used, also where there is nothing to draw yet."""
+    """Requests made by the head of the page are used, even before anything is drawn."""
     show(page, service, ZYL | {"mechanism.pins": "0"}, state="wrong")
     page.wait_for_function("() => globalThis.Plotly !== undefined")
     page.wait_for_timeout(4000)  # by then the browser complains of what was asked for in vain

@@ -75,7 +75,7 @@ def open_mechanism(page: Page, service: str, **fields: str) -> None:
 
 
 def geometry(service: str, angle: float) -> Any:
-    """What the service says of pins, holes and forces at a crank angle."""
+    """Pins, holes and forces at a crank angle, by the service."""
     body = {
         "mechanism": {"pins": 6, "satellites": 1, "ratio": 20},
         "load": {"output_torque_Nm": 50, "pin_circle_radius_mm": 32.5},

@@ -79,7 +79,7 @@ def leaves(part: Any, path: str = "") -> Iterator[tuple[str, Any]]:
 
 
 def given_by(example: dict[str, Any]) -> dict[str, Any]:
-    """What an example types: an even spacing is what an empty box says."""
+    """Values that an example types; an even spacing equals an empty box."""
     given = dict(leaves(example["input"]))
     spacing = "mechanism.crank_spacing_deg"
     if given.get(spacing) == 360 / given.get("mechanism.satellites", 1):

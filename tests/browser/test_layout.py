@@ -1,4 +1,4 @@
-"""Where things stand: the answer beside the first figure, what folds, the height of the page."""
+"""Layout: the answer beside the first figure, folded parts, the height of the page."""
 
 from collections.abc import Iterator
 

@@ -153,7 +153,7 @@ MARGIN_POINTS = 14 / 25.4 * 72
 
 
 def left_edge(pdf: PdfReader) -> float:
-    """Where the leftmost text on paper begins, points."""
+    """Left edge of the leftmost text on paper, points."""
     edges: list[float] = []
 
     def seen(text: str, user: list[float], line: list[float], *_: object) -> None:

@@ -1,4 +1,4 @@
-"""What is off until wanted: clearance and errors, tolerances, strength and life."""
+"""Sections that are off until wanted: clearance and errors, tolerances, strength and life."""
 
 import json
 import zipfile
@@ -69,7 +69,7 @@ def fresh(page: Page) -> None:
 
 
 def of_wanted(watch: Watch) -> list[str]:
-    """What was asked for the sections that are off until wanted."""
+    """Requests for the sections that are off until wanted."""
     modules = ("real", "study", "part", "strength", "losses", "bearings", "crank", "along", "turn")
     names = ("load-sharing", "tolerance", "besides", *(f"/{name}.js" for name in modules))
     return [path for path in watch.paths() if any(name in path for name in names)]
@@ -223,7 +223,9 @@ ONE_WRONG_HOLE = {
 
 
 def test_one_wrong_hole_reads_as_what_it_is(page: Page, service: str, watch: Watch) -> None:
-    """It goes together and jams, between which pins; nothing is asked where all is well."""
+    """The parts go together and jam, and the page says between which pins; without a misfit nothing
+    is requested.
+    """
     show(page, service, "crank-planetary", **DESIGN)
     expect(page.locator(".js-plotly-plot").first).to_be_attached()
     card = page.locator('[data-wanted="fit"]')
@@ -483,7 +485,7 @@ def test_figures_are_of_the_forces_of_their_numbers(
 def test_a_figure_is_grey_until_it_is_of_the_numbers(
     page: Page, service: str, watch: Watch
 ) -> None:
-    """And what is kept does not ask for it again."""
+    """Kept figures are not requested again."""
     show(page, service, "crank-planetary", **DESIGN | REAL_DESIGN)
     drawn(page)
     figure = part(page, "bearings").locator(".figure")

@@ -1,4 +1,4 @@
-"""What every calculator's workbench offers: undo, units, files, links, designs side by side."""
+"""Workbench of every calculator: undo, units, files, links, designs side by side."""
 
 import csv
 import io

@@ -123,7 +123,7 @@ def test_the_largest_torque_said_is_true(page: Page, service: str) -> None:
 
 
 def test_several_inputs_are_changed_by_a_click(page: Page, service: str) -> None:
-    """Where no change of one input mends what fails."""
+    """Changes of several inputs are offered if no change of one cures the failing checks."""
     design = {
         **{"mechanism.pins": "8", "mechanism.satellites": "2", "mechanism.ratio": "15"},
         **{"load.output_torque_Nm": "3530", "load.pin_circle_radius_mm": "47.9"},

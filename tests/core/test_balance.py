@@ -376,7 +376,7 @@ def test_what_is_asked_is_judged(demands: dict[str, float], status: str, limit: 
 
 
 def test_a_share_of_what_the_mechanism_does_may_be_asked() -> None:
-    """Of the bearing that has most of it: force and couple have the same part of their limits."""
+    """The worst bearing decides: force and couple have equal parts of their limits."""
     still = Results(single(satellite_mass=None)).crank.shaft.peak_reaction
     own = 74.0220330081702 / 2 / still.max()
     for share, status in ((own * 1.001, "pass"), (own * 0.999, "fail")):

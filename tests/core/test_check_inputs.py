@@ -694,7 +694,7 @@ def by_code(design: Design, codes: Container[str] = CHECKS) -> dict[str, Check]:
 
 
 def told(each: Any) -> Any:
-    """What tells one thing from another: its value, or which it is."""
+    """Value that tells things apart: the value itself, or the identity."""
     try:
         hash(each)
     except TypeError:
@@ -733,7 +733,7 @@ def of_the_same(plain: Any, things: Callable[[Any], tuple[Any, ...]]) -> Any:
 
 
 def solved(found: Results) -> tuple[Any, ...]:
-    """What is solved over the turn, of whose forces."""
+    """Solutions over the turn that a check uses, by kind of forces."""
     return (found.series if found.in_series else found.real, found.solved)
 
 
@@ -817,7 +817,7 @@ def look(
 
 
 def seen() -> dict[tuple[str, str], bool]:
-    """Whether a check moves with an input, in any of the designs."""
+    """True if a check changes with an input in any of the designs."""
     found: dict[tuple[str, str], bool] = {}
     for design in DESIGNS.values():
         with nullcontext() if TIMES > 1 else solved_once():
@@ -839,9 +839,9 @@ def named(code: str, name: str) -> bool:
 
 
 def test_a_check_names_what_moves_it_and_nothing_else() -> None:
-    """Of both meshes in series forces are one solution: an input of the ring moves the checks of
-    the pins through these alone, and the other way round, so that one check has to show it; but of
-    what is moved in designs of its own.
+    """With both meshes in series the forces are one solution, so that an input of the ring moves
+    the checks of the pins through the forces alone, and the other way round. One check has to show
+    it, except for inputs that have designs of their own.
     """
     found = seen()  # once for both, as it takes a minute, and tests may run apart
     assert {pair for pair, moves_it in found.items() if moves_it and not named(*pair)} == set()

@@ -63,7 +63,7 @@ def drawn(seed: int, share: float) -> Design:
 
 
 def test_a_step_that_is_less_than_rounding_is_taken() -> None:
-    """Where a pin just takes up, the force of another is known no better than the torque is met."""
+    """If a pin just takes up, the force of another is only as exact as the torque balance."""
     design = drawn(4, 0.99)
     mesh, angle = Results(design).ring.mesh, 0.19269685498545294
     found = mesh_position(mesh=mesh, crank_angle=angle, output_torque=design.pin_torque)

@@ -54,7 +54,7 @@ def limited(design: Design, limit: float) -> Design:
 
 
 def limited_alone(limit: float) -> Design:
-    """The same of a design that nothing else limits."""
+    """Design as made that nothing but the given limit restricts."""
     hard = {"yield_strength": 1e12, "limit": ContactLimit("given", 1e12)}
     hole = replace(HOLE, yield_strength=1e12, limit=ContactLimit("given", limit))
     return having(A, pin_material=replace(PIN, **hard), hole_material=hole)
@@ -123,7 +123,7 @@ def test_the_reserve_is_not_the_square_of_the_pressures() -> None:
 
 
 def test_the_largest_torque_ends_where_forces_cannot_be_solved() -> None:
-    """Of a limit that no contact comes to: nothing is known to fail, and no torque is stated."""
+    """No contact reaches the limit, so nothing is known to fail and no torque is stated."""
     design, held = limited_alone(1e12), 30.0
     found = crank_verdict(Results(design), largest=True)
     assert found.torque_reserve is None and not found.largest_torque_known
@@ -142,7 +142,7 @@ def test_the_largest_torque_ends_where_forces_cannot_be_solved() -> None:
 
 
 def test_wear_and_pv_are_of_the_largest_force_of_both_directions() -> None:
-    """It need not be in the direction whose losses are larger."""
+    """The direction of the largest force need not be that of the larger losses."""
     worn = having(
         A,
         input_speed=100.0,

@@ -276,7 +276,7 @@ def test_what_is_checked_hangs_on_the_sections() -> None:
 
 
 def test_the_limit_of_a_check_is_known_without_its_value() -> None:
-    """Of designs that are complete but for the speed, or the static rating."""
+    """Designs that lack only the speed, or only the static rating, have the limit."""
     rated = having(
         WHOLE,
         input_speed=None,

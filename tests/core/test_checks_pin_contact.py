@@ -20,7 +20,7 @@ SOFT = ElasticMaterial(3e9, 0.35, ContactLimit("given", 60e6), yield_strength=60
 
 
 def contact(limit: float, **more: Any) -> dict[str, Any]:
-    """What a check of the reference's pressure says."""
+    """Check of the pressure of the reference design."""
     status = "pass" if limit > PRESSURE * math.sqrt(1.1) else "marginal"
     return {
         "status": status if limit > PRESSURE else "fail",
@@ -195,7 +195,7 @@ def test_shakedown_and_first_yield(factor: float) -> None:
 
 
 def test_wide_contacts_have_a_pressure_of_their_own() -> None:
-    """Of very different materials too, up to where the contact wraps around half of the pin."""
+    """Materials may differ a lot, up to a contact that wraps around half of the pin."""
     narrow = check_of("contact_conformity", REF)
     assert (narrow.status, narrow.reason) == ("not_applicable", "conformal_solution")
     soft = having(REF, pin_material=SOFT, output_torque=5e3)
@@ -238,7 +238,7 @@ def test_wide_contacts_have_a_pressure_of_their_own() -> None:
 def test_the_edge_of_the_satellite_is_part_of_the_error(
     edge: str, distance: float, status: str, reason: str
 ) -> None:
-    """Where the contact wraps: the limit is 4 % above the pressure."""
+    """The limit of a wrapping contact is 4 % above the pressure."""
     wide = having(REF, hole_radius=0.00802, eccentricity=2e-5)
     pressure = float(Results(wide).hertz.governing_pressure)  # type: ignore[arg-type]
     limit = ContactLimit("given", 1.2 * 1.04 * pressure)

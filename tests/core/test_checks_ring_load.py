@@ -85,7 +85,7 @@ def test_the_mesh_is_that_of_the_published_case() -> None:
 
 @pytest.mark.parametrize("design", [A7, FEW])
 def test_the_bearing_feels_the_mean_of_the_mesh(design: Design) -> None:
-    """Of exact normals at 60 positions; A7 lags far, which turns them."""
+    """Normals are exact at 60 positions; A7 lags far, which turns them."""
     results = Results(design)
     mesh, turn = results.ring.mesh, results.ring.working[0]
     places = [
@@ -268,7 +268,7 @@ def test_what_presses_fails_where_no_force_is_known(torque: float, reason: str) 
 
 @pytest.mark.slow
 def test_the_largest_torque_of_discs_in_series() -> None:
-    """It holds, and a hundredth above it a check fails; of pins that deviate too."""
+    """The torque holds and a hundredth more fails, with deviating pins too."""
     coupled = {"satellites": 2, "satellite_coupling": RingInSeries()}
     bodies = {"pin_material": replace(HARD, yield_strength=1200e6), "hole_material": SOFT}
     design = having(FEW, pin_radius=0.004, hole_radius=0.00652, **coupled, **bodies)
@@ -343,14 +343,14 @@ def test_a_pin_of_the_ring_is_a_beam() -> None:
 
 
 def moment(x: float, z: float, width: float) -> float:
-    """Of a beam free to tilt at x, under a load of 1 N that is even over a width about z."""
+    """Moment at x of a beam free to tilt under a load of 1 N, even over a width about z."""
     into = min(max(x - z + width / 2, 0.0), width)
     return (SPAN - z) / SPAN * x - into / width * (x - z + width / 2 - into / 2)
 
 
 @pytest.mark.slow
 def test_discs_bend_a_pin_together() -> None:
-    """Of three discs two press a pin at once, each along its normal: position by position."""
+    """Two of three discs press a pin at once, each along its normal, position by position."""
     places, width = (0.012, 0.028, 0.047), 0.012
     design = geared(
         having(A7, satellites=3, contact_length=width),
@@ -426,7 +426,9 @@ def test_a_ring_pin_that_turns_is_bent_both_ways() -> None:
 
 
 def test_ring_pins_last_by_the_turns_of_the_crank() -> None:
-    """Of a steel, once a turn of the crank; by what is given of the fatigue of pins, or why not."""
+    """Steel pins have one cycle a turn of the crank; the life follows from given fatigue data, or
+    the reason is stated.
+    """
     basis = FatigueBasis(surface="ground", fatigue_notch_factor=1.5)
     steel = having(
         tired(BENT, pin_steel=True), fatigue=basis, input_speed=100.0, output_torque=150.0
@@ -522,7 +524,7 @@ def test_pv_is_that_of_sleeves() -> None:
 
 @pytest.mark.slow
 def test_pv_is_that_of_the_harder_direction() -> None:
-    """Which need not be the one that loses more: sleeves of places that deviate."""
+    """The direction with the larger pv need not lose more: sleeves at places that deviate."""
     random = Random(8)
     places = tuple(random.uniform(-2e-5, 2e-5) for _ in range(40))
     design = having(
@@ -540,7 +542,7 @@ def test_pv_is_that_of_the_harder_direction() -> None:
 
 
 def test_the_slope_is_that_of_the_softest_pins() -> None:
-    """Where it is asked, and sources differ, as that of the output's pins."""
+    """A requested slope is that of the least modulus in the sources, as for output pins."""
     soft = replace(HARD, youngs_modulus=100e9)
     unsure = replace(HARD, least_modulus=100e9)
     least, found, stiff = (

@@ -1,6 +1,4 @@
-"""What geometry says of a ring of pins: undercut and room, against sampled paths and
-places of pins.
-"""
+"""Geometry of a ring of pins: undercut and room, against sampled paths and places of pins."""
 
 import math
 from dataclasses import replace
@@ -64,7 +62,7 @@ def test_a_path_that_crosses_itself_is_refused() -> None:
     [(2, 0.2), (9, 0.3), (20, 0.1), (11, 0.6), (29, 0.9), (87, 0.5)],
 )
 def test_the_undercut_is_that_of_the_sampled_path(lobes: int, shortening: float) -> None:
-    """Its status changes where the least bend of the path is the radius, and 1.1 times that."""
+    """The status changes at a radius equal to the least bend of the path, and at 1.1 times it."""
     eccentricity = shortening * CIRCLE / (lobes + 1)
     bend = 1e-6 * cycloid_margin(
         ring_pins=lobes + 1, circle_radius=CIRCLE, eccentricity=eccentricity, pin_radius=1e-6

@@ -170,7 +170,7 @@ def test_what_static_strength_needs() -> None:
 
 
 def test_slope_and_deflection() -> None:
-    """Of one satellite at 37 mm, F10: 3.4185221273 mrad, 0.0912803795 mm."""
+    """One satellite at 37 mm, F10: 3.4185221273 mrad, 0.0912803795 mm."""
     design = one_at(0.037)
     for code, value in (("slope", 3.4185221273e-3), ("deflection", 0.0912803795e-3)):
         nobody = equally(f"pin_{code}", design)
@@ -256,7 +256,7 @@ def rigid(**changes: Any) -> Design:
 
 
 def light(**changes: Any) -> Design:
-    """The same without centrifugal forces."""
+    """Design without centrifugal forces."""
     given = {"crankshaft": replace(WHOLE.crankshaft, satellite_mass=None)}  # type: ignore[type-var]
     return rigid(**given | changes)
 
@@ -305,7 +305,7 @@ def test_bearings() -> None:
 
 @pytest.mark.parametrize("ahead", [1, 2])
 def test_the_bearing_that_is_judged_is_that_of_the_satellite_ahead(ahead: int) -> None:
-    """Whose holes are turned ahead of the other's by 0.2 mrad: its pins carry nearly all."""
+    """One satellite's holes are 0.2 mrad ahead: its pins carry nearly the whole load."""
     turned = Deviations(disc_phase=(0.0, 2e-4 if ahead == 2 else -2e-4))
     hole = WHOLE.contact.hole_radius + 1e-5  # type: ignore[union-attr, operator]
     results = Results(rigid(deviations=turned, hole_radius=hole))
@@ -503,7 +503,7 @@ def test_holes_within_the_teeth() -> None:
 
 
 def test_holes_within_a_cycloid_disc() -> None:
-    """Its roots are what the 21 pins of the ring leave of it as its centre goes round by 2 mm."""
+    """The 21 ring pins limit the roots of a disc whose centre moves on a circle of 2 mm."""
     rolled = np.linspace(0, 2 * math.pi, 21 * 100, endpoint=False)[:, None]
     places = 0.084 * np.exp(2j * math.pi * np.arange(21) / 21)
     nearest = float(np.abs(places - 2e-3 * np.exp(1j * rolled)).min())
@@ -573,9 +573,9 @@ def test_the_forces_that_are_judged_are_solved_where_pins_bend() -> None:
 
 
 def test_the_perfect_parts_of_the_reference_design() -> None:
-    """Its stresses: shared equally 306.70 MPa, recalculated apart from this program; by elasticity
-    without clearance 180.08 MPa, as satellites bend the pins of each other (219.88 MPa where each
-    bends them for itself), with 0.02 mm of it, which keeps them apart, 284.71 MPa.
+    """Stresses recalculated apart from this program: 306.70 MPa shared equally; 180.08 MPa by
+    elasticity without clearance, as satellites bend each other's pins (219.88 MPa if each bends
+    them alone); 284.71 MPa with 0.02 mm of clearance, which separates them.
     """
     design = having(WHOLE, contact_law=None)
     loose = having(design, hole_radius=0.01002)
@@ -722,7 +722,7 @@ def test_a_larger_pin_without_sleeve_is_larger_itself() -> None:
 
 
 def test_a_thicker_pin_in_its_sleeve_lowers_the_pressure() -> None:
-    """It slopes less; the next standard size would leave no room for the sleeve."""
+    """A thicker pin slopes less; the next standard size leaves no room for the sleeve."""
     sleeved = part(part(WHOLE, "pin", diameter=0.011), "friction", sleeve=True)
     code, design = "contact_pressure_hole", having(sleeved, output_torque=135.0)
     fixes = {each.variable: each for each in fixes_of(design, [code])}

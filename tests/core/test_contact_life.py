@@ -87,7 +87,7 @@ def test_a_limit_over_a_life() -> None:
 
 
 def test_the_table_knows_the_curves_of_its_steels() -> None:
-    """Those whose limit is of ISO 6336; neither bearing steel nor bronze, of other standards."""
+    """Steels with a limit of ISO 6336 have a curve; bearing steel and bronze have none."""
     curves = {
         name: each.material.limit.curve
         for name, each in MATERIALS.items()

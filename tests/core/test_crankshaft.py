@@ -64,7 +64,7 @@ def test_life() -> None:
 
 
 def test_far_places_cost_digits_and_the_error_says_so() -> None:
-    """The same shaft 100 km along its axis: places of doubles are some 1e-11 m apart there."""
+    """Shaft moved by 100 km along its axis, where doubles are some 1e-11 m apart."""
     near = crankshaft(**REF)
     far = {name: tuple(1e5 + each for each in places) for name, places in PLACES.items()}
     found = crankshaft(**REF | far)

@@ -1,4 +1,4 @@
-"""What follows from a design is worked out once, and so is why it is not known."""
+"""Derived values of a design are worked out once, as are the reasons why they are not known."""
 
 from dataclasses import dataclass, field, replace
 

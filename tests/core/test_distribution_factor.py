@@ -40,7 +40,7 @@ def test_of_two_discs_one_carries_more(factor: float, pressure: float, bending: 
 
 
 def test_the_edge_has_the_line_load_of_the_whole_force() -> None:
-    """As under so many times the torque, shared evenly: the factor is in it once."""
+    """The factor counts once: the result equals that of a larger, evenly shared torque."""
     uneven = Results(having(WHOLE, distribution_factor=1.5))
     more = Results(having(WHOLE, output_torque=750.0), equal=True)
     assert uneven.line_load_factor == pytest.approx(more.line_load_factor, rel=SAME)

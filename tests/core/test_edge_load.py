@@ -73,7 +73,7 @@ def ideal_forces(mechanism: Mechanism, exponent: float) -> NDArray[Any]:
 
 
 def stressed(mechanism: Mechanism, positions: tuple[float, ...], **others: Any) -> PinStresses:
-    """As a design asks for them."""
+    """Stressed pins as a design requests them."""
     loaded = {"output_torque": 500.0, "pin_circle_radius": 0.05, "diameter": 0.016}
     return pin_stresses(
         mechanism=mechanism,

@@ -213,7 +213,7 @@ def stands(cycles, **changes):
 
 
 def test_strength_on_the_line_of_life():
-    """The same line the other way: 800 at 1000 cycles, 300 at a million, level beyond both."""
+    """Inverse of the line: 800 at 1000 cycles, 300 at a million, level beyond both."""
     for cycles, strength in ((1e3, 800.0), (10**4.5, math.sqrt(300 * 800)), (1e6, 300.0)):
         assert stands(cycles) == pytest.approx(strength, rel=SAME)
     assert stands(1.0) == stands(1e3) and stands(1e9) == 300.0
@@ -234,7 +234,7 @@ def test_strength_and_life_are_inverse(cycles, limit, more):
 
 
 def test_the_cycles_that_a_part_has_to_stand():
-    """Its safety is by the strength for these; the life that it has is that of the limit."""
+    """The safety uses the strength at the required cycles; the stated life is that of the limit."""
     lasting = FatigueStrength(300.0, 1000.0)
     for cycles in (math.inf, 1e6, 1e9):
         strength = FatigueStrength(300.0, 1000.0, cycles=cycles)

@@ -317,7 +317,7 @@ def test_contacts_beyond_a_right_angle_are_masked_in_arrays() -> None:
 
 @pytest.mark.parametrize("limit", [5e6, 9e6, 10e6, 10.1e6, 20e6, 60e6, 1e12])
 def test_the_force_under_which_a_pressure_is_at_its_limit(limit: float) -> None:
-    """Of a pin of plastic, whose contact wraps around its half before the largest limit."""
+    """A contact of a plastic pin wraps around half of it before the largest limit."""
     sizes = {"contact_length": 0.02, "pin_radius": 0.006, "hole_radius": 0.0065}
     plastic = ElasticMaterial(2.8e9, 0.38)
 
@@ -346,7 +346,7 @@ WRAPPED = {
 @given(contacts())
 @example(WRAPPED)
 def test_everything_is_a_number_whatever_the_contact(contact: dict[str, object]) -> None:
-    """But the pressure to be judged, where the pin would be wrapped around."""
+    """The judged pressure is the exception, if the contact would wrap around the pin."""
     one = calculate(contact)
     assert math.isfinite(one.governing) or one.half_width_ratio > 3
     for name in HertzContact._fields:

@@ -178,7 +178,7 @@ def test_a_root_beyond_the_method_is_not_known():
 
 
 def test_tip_circles_that_just_touch_are_not_taken_for_apart():
-    """Of these the satellite's is the ring's and twice the eccentricity but for rounding."""
+    """The satellite's tip circle exceeds the ring's by twice the eccentricity but for rounding."""
     for module in (1e-3, 2e-3, 3e-3, 3.5e-3):
         teeth = InvoluteTeeth(
             satellite_teeth=40,

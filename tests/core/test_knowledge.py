@@ -1,6 +1,5 @@
-"""What is not known is never judged milder: values of a material typed within their range, and some
-of them taken away; what need not be given of a whole reducer.
-"""
+"""Missing knowledge never makes a judgement milder: material values typed within their range,
+values removed; inputs that a whole reducer can do without."""
 
 import math
 from dataclasses import dataclass, replace
@@ -37,7 +36,7 @@ RATIO = 0.36
 
 @dataclass(frozen=True)
 class Typed:
-    """What is typed of a material, and of the friction on it; None is taken away."""
+    """Typed values of a material and of its friction; None removes one."""
 
     base: TableMaterial
     youngs_modulus: float | None = None
@@ -49,7 +48,7 @@ class Typed:
 
     @property
     def verdict(self) -> Verdict:
-        """Of pins and holes under the torque of the case."""
+        """Verdict of pins and holes under the torque of the case."""
         own: dict[str, Any] = {"yield_strength": self.yield_strength, "layers": self.layers}
         ratio = self.base.moduli.get("poissons_ratio", RATIO)
         if self.youngs_modulus is not None:

@@ -85,7 +85,7 @@ def test_without_the_largest_torque_one_more_is_solved(looked: list[float]) -> N
 
 
 def test_what_jumps_between_two_torques_has_no_reserve(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As far as these are apart: no more are looked at."""
+    """No torques closer together than these two are examined."""
     monkeypatch.setattr(reserve, "LOOKS", 3)
     found = crank_verdict(Results(having(MADE, output_torque=18000.0)), largest=True)
     assert found.verdict == "fail"

@@ -103,7 +103,7 @@ def test_mean_of_the_total_force(pins: int, satellites: int, exponent: float, me
 
 @pytest.mark.parametrize("pins", [4, 6, 8, 3])
 def test_an_even_number_of_phases_has_a_closed_form(pins: int) -> None:
-    """The same as the integral, which a trifle of the exponent takes."""
+    """The closed form equals the integral, which a slightly different exponent uses."""
     m = Mechanism.evenly_spaced(pins=pins, satellites=2 if pins % 2 else 1, ratio=20.0)
     closed = total_force(mechanism=m)
     near = total_force(mechanism=m, force_exponent=1 + 1e-12)

@@ -96,7 +96,7 @@ def test_a_coupling_drives_without_a_crank() -> None:
 
 
 def test_a_ring_is_the_design_of_pins_under_its_share_of_torque_and_speed() -> None:
-    """The same parts by the pins' own problem; what is seen at the ring by virtual work."""
+    """Parts are those of the pins' problem; values at the ring follow by virtual work."""
     u = WHOLE.mechanism.ratio
     share = u / (u + 1)
     ring = Results(changed(WHOLE, {"mechanism.output": "ring"}))

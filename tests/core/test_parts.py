@@ -87,7 +87,7 @@ def test_teeth_whose_modification_is_not_known_are_open() -> None:
 
 @pytest.mark.parametrize("part", PART_NAMES)
 def test_a_part_by_itself(part: str) -> None:
-    """Its checks are made and no others; the verdict is its own."""
+    """Only the part's checks are made, and the verdict follows from them."""
     design = having(SOUND, scope=(part,))
     found = crank_verdict(Results(design))
     assert found.verdict == "pass"
@@ -170,7 +170,7 @@ BY_FORCES = {part.code for part in PARTS.values() if part.by_forces}
 
 
 def unknown(design: Design) -> Design:
-    """Of the same sizes without clearance, of which nobody says that it is none."""
+    """Design of equal sizes without a stated clearance."""
     return having(design, hole_radius=0.010, clearance_stated=False)
 
 

@@ -86,7 +86,7 @@ def test_needles_on_eight_pins_of_one_disc() -> None:
 
 @pytest.mark.parametrize(("given", "power"), [(SMALL, 3.0), (NEEDLES, 10 / 3)])
 def test_the_equivalent_load_is_that_of_gamma_functions(given: Any, power: float) -> None:
-    """Of ideal forces with v = 1 and an even number of phases."""
+    """Ideal forces have v = 1 and an even number of phases."""
     found = pin_rollers(**given)
     closed = math.gamma((power + 1) / 2) / (2 * math.sqrt(math.pi) * math.gamma(power / 2 + 1))
     ratio = found.equivalent_load / found.peak_load
@@ -229,7 +229,7 @@ def test_a_contact_is_no_longer_than_its_rollers() -> None:
 
 
 def test_the_loss_is_that_of_the_bearings() -> None:
-    """Of report and sheet alike: the sleeve's formula with the bore, and the bearing's friction."""
+    """Report and sheet use the sleeve's formula with the bore and the bearing's friction."""
     design = rolled(input_speed=50 * math.pi, hole_radius=0.010, pin=None)
     losses = Results(design).losses.pins
     friction = having(

@@ -17,7 +17,9 @@ EQUAL = 10000 / 3
 
 @pytest.mark.parametrize("places", [(5e-6, 2e-5), (0.06 - 2e-5, 0.06 - 5e-6)])
 def test_beside_a_support_the_deflection_is_known_less(places: tuple[float, float]) -> None:
-    """Where all satellites are there it is the rest of parts larger by the cube of 3000."""
+    """If all satellites are near a support, the deflection is a difference of parts larger by the
+    cube of 3000.
+    """
     thin = REFERENCE | {"contact_length": 1e-5, "support": "supported", "span": 0.06}
     errors = [
         pin_strength(**thin | {"satellite_positions": each}).accuracy.relative_error
@@ -60,7 +62,7 @@ def test_the_worst_case_is_the_same_at_any_torque(factor: float) -> None:
 
 
 def test_the_peak_torque_bears_on_the_worst_pin() -> None:
-    """Of pins that are made unlike, as of the same design under the peak torque itself."""
+    """Pins that differ have the results of that design under the peak torque itself."""
     real = made(UNLIKE)
     design = REFERENCE | {"mechanism": UNLIKE.mechanism, "made": real}
     found = pin_strength(**design, peak_torque=1000.0)

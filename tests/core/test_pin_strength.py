@@ -247,8 +247,8 @@ def test_the_worst_cycle_by_brute_force(
 
 
 def test_of_two_directions_that_are_nearly_alike_the_worse_one() -> None:
-    """It lies half way between directions that are looked at first, each 15 degrees; another one
-    of 0.9995 of it at 75.2 degrees lies on one of them.
+    """The worse direction lies between the first ones of the search, 15 degrees apart; one of
+    0.9995 of it, at 75.2 degrees, lies on such a direction.
     """
     mechanism = Mechanism(pins=3, crank_angles=(0.0, 2.0003668, 6.1746219), ratio=20.0)
     z = (0.015, 0.037, 0.0763)
@@ -423,8 +423,8 @@ def test_the_worst_section_by_brute_force(support: str) -> None:
 def test_loads_one_by_one_bend_most_where_they_have_no_shear_force(
     support: str, places: tuple[float, float], diameter: float
 ) -> None:
-    """As the search along the pin finds it. On supports that let the pin tilt a unit load from a to
-    a + b with the reaction R makes ``R*(a + R*b/2)`` at ``a + R*b``: table 3-23 of the AISC manual.
+    """The search along the pin agrees. On tilting supports a unit load from a to a + b with the
+    reaction R makes ``R*(a + R*b/2)`` at ``a + R*b``: table 3-23 of the AISC manual.
     """
     pin = {name: PIN[name] for name in PIN if name != "fatigue"} | {"diameter": diameter}
     stresses = pin_stresses(
@@ -476,7 +476,7 @@ def test_section_and_time_of_the_largest_stress_hang_together(
     places: tuple[float, ...],
     span: float,
 ) -> None:
-    """Where the forces change fast the worst time moves with the section, along a narrow ridge."""
+    """If forces change fast, the worst time moves with the section along a narrow ridge."""
     design = PIN | {
         "force_exponent": exponent,
         "contact_length": length,
@@ -503,7 +503,7 @@ def test_section_and_time_of_the_largest_stress_hang_together(
 
 @pytest.mark.parametrize(("satellites", "alike"), [(1, True), (2, True), (3, False)])
 def test_amplitude_of_all_directions(satellites: int, alike: bool) -> None:
-    """The same where one satellite at a time loads the pin (v = 1, an even number of phases)."""
+    """One satellite at a time may load the pin (v = 1, an even number of phases)."""
     weights = np.array(positions(spaced(6, satellites)))
     locus = moments(spaced(6, satellites), 1.0, weights)
     heights = [np.ptp((locus * np.exp(-1j * chi)).real) for chi in np.linspace(0, np.pi, 19)]

@@ -90,7 +90,7 @@ def test_dry_friction_takes_three_quarters_of_the_force() -> None:
 
 @pytest.mark.parametrize(("angle", "factor"), [(12, 1.65), (20, 1.59), (30, 1.52), (40, 1.41)])
 def test_a_hole_that_wraps_around_its_pin_yields_under_less(angle: float, factor: float) -> None:
-    """As by finite elements of pin and hole, Poisson's ratio 0.36, without friction."""
+    """Reference: finite elements of pin and hole, Poisson's ratio 0.36, without friction."""
     hole = by_values(youngs_modulus=3e9, poissons_ratio=0.36, yield_strength=23e6)
     soft = having(SOFT, hole_material=hole, friction=Friction(coefficient=0.0))
     wrapped = {"conformal_pressure": 1.0, "conformal_half_length": 1.0}

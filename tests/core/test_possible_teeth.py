@@ -1,4 +1,4 @@
-"""Which involute teeth mesh, and which shifts to take."""
+"""Involute teeth that mesh, and their profile shifts."""
 
 import math
 import random
@@ -23,7 +23,7 @@ ANY = {"shifts": np.arange(*SHIFTS, 0.05), "addenda": np.arange(0.1, 1.501, 0.05
 
 
 def found(satellite: int, ring: int, closeness: float, degrees: float = 20.0) -> PossibleTeeth:
-    """Of an eccentricity in modules."""
+    """Teeth found for an eccentricity in modules."""
     return possible_teeth(
         satellite_teeth=satellite,
         ring_teeth=ring,

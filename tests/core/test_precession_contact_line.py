@@ -226,7 +226,7 @@ def test_a_length_that_is_hardly_known_is_noticed() -> None:
 
 
 def test_a_wheel_knows_its_rollers_no_better_than_its_first_one() -> None:
-    """Where the position of a roller is a small difference of large angles."""
+    """The position of a roller is a small difference of large angles."""
     (*_, last) = wheel_rollers(
         rollers_total=4,
         rollers_in_mesh=4,

@@ -127,7 +127,7 @@ def numbers(result: ShaftDeflection) -> list[tuple[float, float]]:
 def test_the_error_of_the_load_is_passed_on(
     errors: tuple[float, float], moment: tuple[float, float]
 ) -> None:
-    """As much as it may change the number that it changes most."""
+    """The stated error covers the number that changes most."""
     load = {"force": (16.0, -33.0, 0.0), "moment": (*moment, 10.0)}
     plain = shaft_deflection(**load, **SHAFT, shaft_sections=STEPPED)
     stated = shaft_deflection(
@@ -210,7 +210,7 @@ def random_shaft(r: random.Random, practical: bool) -> tuple[dict[str, Any], dic
 
 @pytest.mark.parametrize("practical", [True, False])
 def test_stated_errors_of_random_shafts(practical: bool) -> None:
-    """They hold for all numbers of an answer, and do not exaggerate."""
+    """Stated errors hold for all numbers of an answer, and do not exaggerate."""
     r = random.Random(practical)
     ratios = []
     for _ in range(200):

@@ -1,4 +1,4 @@
-"""Which pairs really carry: the ends against positions that are solved one by one."""
+"""Pairs that carry under real forces: ends of ranges against positions solved one by one."""
 
 import math
 

@@ -414,7 +414,7 @@ def test_pressed_pairs_beside_their_dead_angle_have_an_answer(angle: float) -> N
 
 @pytest.mark.parametrize("start", [0.0, 0.3, math.pi / 6])
 def test_summits_of_a_whole_turn_of_pins_that_are_alike(start: float) -> None:
-    """Which is solved for one pitch, and may be looked at over all of it."""
+    """One pitch is solved, but summits may be searched over the whole turn."""
     mechanism = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
     real = loose_pins(replace(mechanism, initial_crank_angle=start))
     turn = Turn(real, 400.0)

@@ -353,7 +353,7 @@ def test_the_worst_pin_counts() -> None:
 
 @pytest.mark.parametrize("rho", [0.7, -0.3, 3.0])
 def test_the_error_of_the_ring_counts_beside_that_of_the_samples(rho: float) -> None:
-    """As under the ideal forces: loads by a ratio that is off by what is stated of it."""
+    """Reference: ideal forces with a ratio that is off by its stated error."""
     mechanism = spaced(6, 2)
     own = {"mechanism": mechanism, "made": made(as_made(mechanism, clearance=1e-5))}
     moved = rho + 1e-3 * max(1.0, abs(rho))
@@ -406,7 +406,7 @@ def test_the_face_load_factor_takes_arrays() -> None:
 
 @pytest.mark.parametrize("torque", [1e-3, 1e-5])
 def test_samples_of_a_torque_that_vanishes_are_few(torque: float) -> None:
-    """Where forces are of the size of their error, no more samples make them straighter."""
+    """More samples do not straighten forces as small as their error."""
     real = RealMechanism(
         mechanism=Mechanism.evenly_spaced(pins=8, satellites=2, ratio=43.0),
         pin_circle_radius=0.05,

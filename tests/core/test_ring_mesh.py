@@ -253,7 +253,7 @@ def test_a_modification_that_jams_has_no_backlash(change: Modification) -> None:
 
 
 def test_discs_that_share_evenly_cancel_what_turns_with_the_pins() -> None:
-    """Of two perfect discs on an even number of pins both feel the same at any angle."""
+    """Two perfect discs on an even number of pins have equal forces at any angle."""
     one = mesh_over_turn(mesh=mesh_of(disc=PERFECT, crank_angles=(0.0,)), output_torque=100.0)
     two = mesh_over_turn(mesh=mesh_of(disc=PERFECT), output_torque=200.0)
     assert two.peak_force == pytest.approx(one.peak_force, rel=EXACT)
@@ -357,7 +357,7 @@ def test_at_the_limit_of_undercut_a_disc_is_refused_and_no_number_fails(seed: in
 
 
 def test_a_pin_that_just_touches_at_its_dead_angle_has_a_known_play() -> None:
-    """It has no lever there: how well the play is known hangs on how the path bends away."""
+    """The pin has no lever: the exactness of the play depends on the curvature of the path."""
     disc = CycloidDisc(20, 2e-3, 0.066, 0.004, Modification(1.5e-5, -5e-6))
 
     def play(inward: float) -> tuple[tuple[float, float] | None, float]:
@@ -389,7 +389,7 @@ def test_a_pin_that_does_not_let_a_disc_in_presses_as_deep_as_it_stands_within()
 def test_contacts_that_are_too_soft_hold_nothing() -> None:
     with pytest.raises(ImpossibleMechanism) as caught:
         at(mesh_of(law=LinearLaw(1e3)), 0.3, 1e4)
-    assert caught.value.code in {"not_stable", "not_balanced"}
+    assert caught.value.code == "not_stable"
 
 
 @pytest.mark.parametrize("seed", seeds(2))
@@ -427,7 +427,7 @@ def test_the_summits_of_a_turn_against_a_dense_walk(seed: int) -> None:
 
 
 def test_a_contact_is_at_most_as_wide_as_its_pin() -> None:
-    """Where the torque grows, up to the half-width that is the pin's radius."""
+    """A growing torque stops at the half-width that equals the pin's radius."""
     disc = replace(PERFECT, ring_pin_radius=2e-4, modification=Modification(5e-5))
     mesh = mesh_of(disc=disc, law=HertzLaw(), crank_angles=(0.0,))
     angle, low, high, codes = -math.acos(0.6) + 2 * math.pi / 24, 1.0, 1e5, set()
@@ -451,8 +451,8 @@ def test_a_contact_is_at_most_as_wide_as_its_pin() -> None:
 
 @pytest.mark.parametrize("seed", seeds(4))
 def test_the_crank_s_torque_in_first_order(seed: int) -> None:
-    """Its part of the load, and the force of each pin times the derivative of its approach by the
-    crank angle, by differences of what the papers write.
+    """Reference: the crank's part of the load, and the force of each pin times the derivative of
+    its approach by the crank angle, by differences of the papers' formulas.
     """
     mesh, angle, torque = drawn(seed, exact=False)
     change = replace(mesh.disc.modification, rotation=1e-4)
@@ -514,7 +514,7 @@ def test_over_a_turn_friction_costs_what_slides() -> None:
 
 
 def test_sliding_is_what_a_point_of_the_disc_does_on_its_pin() -> None:
-    """Its velocity by differences, of a crank at 1 rad/s, where a pin touches."""
+    """Reference: velocity of the touching point by differences, with the crank at 1 rad/s."""
     disc, angle, step = PERFECT, 0.7, 1e-6
     found = at(mesh_of(disc=disc, crank_angles=(0.0,)), angle, 1e-3)
     speeds = []
@@ -538,8 +538,8 @@ READ = [name for name in dir(MeshTurn) if isinstance(getattr(MeshTurn, name), pr
 
 @pytest.mark.parametrize("seed", seeds(24))
 def test_no_pin_that_presses_is_passed_over(seed: int) -> None:
-    """Of contacts as soft as can be: against a search of the nearest point for each pin. What is
-    refused, the pins would not hold before other lobes come.
+    """Reference for very soft contacts: a search of the nearest point for each pin. Refused cases
+    are those in which other lobes come before the pins hold.
     """
     r = random.Random(seed)
     stiffness = 10 ** r.uniform(4.5, 6.5)
@@ -563,7 +563,7 @@ def test_no_pin_that_presses_is_passed_over(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", seeds(8))
 def test_pins_that_are_not_looked_at_are_free(seed: int) -> None:
-    """Those that are far off in first order are not looked at in exact geometry."""
+    """Exact geometry leaves out pins that are far off in first order."""
     mesh, angle, torque = drawn(seed)
     places, found = np.array([angle]), []
     for hollow in (None, math.inf):
@@ -671,7 +671,7 @@ def test_given_shares_over_the_turn() -> None:
 
 @pytest.mark.parametrize("angle", [0.0, 1e-5, -1e-5])
 def test_a_pressed_pin_at_its_dead_angle_is_seen(angle: float) -> None:
-    """It has no lever, and yet it presses at any lag."""
+    """The pin has no lever, but presses at any lag."""
     errors = RingDeviations(pin_radial=(*(0.0,) * 6, -5e-5, *(0.0,) * 5))
     found = at(mesh_of(crank_angles=(0.0,), deviations=errors), angle, 10.0)
     assert found.play is None

@@ -128,7 +128,7 @@ def test_where_it_binds_and_is_blocked() -> None:
 
 @pytest.mark.parametrize("seed", range(12))
 def test_arcs_are_plain_distances(seed: int) -> None:
-    """Of each position, in any misfit: the room, and whether there is any."""
+    """Room, and its sign, at each position for any misfit."""
     rng = random.Random(seed)
     own, sizes = drawn(rng)
     for wave in (rng.uniform(0, 2 * math.pi) for _ in range(3)):

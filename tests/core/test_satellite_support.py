@@ -219,8 +219,8 @@ def test_the_turn_has_the_positions_between_its_extremes(support: SatelliteSuppo
 @pytest.mark.parametrize("decade", [-9, 9])
 @pytest.mark.parametrize("kind", [CrankSupport, ElasticMesh])
 def test_a_stiffness_ratio_of_a_milliard(kind: type, decade: int) -> None:
-    """As stiff over the contacts, or as soft: what is so soft turns further than there is room for
-    unless the torque is small.
+    """Supports are much stiffer or much softer than the contacts; soft ones turn further than the
+    room unless the torque is small.
     """
     contact = 5e7 if kind is CrankSupport else 5e7 * 0.020**2
     real = replace(AHEAD, clearance=0.0, support=kind(contact * 10.0**decade))
@@ -237,7 +237,7 @@ def test_a_stiffness_ratio_of_a_milliard(kind: type, decade: int) -> None:
 
 
 def test_a_pressed_pair_at_its_dead_angle_does_not_hold_the_output() -> None:
-    """It pushes its disc away; the output turns freely until another pair takes up."""
+    """The pair pushes its disc away; the output turns freely until another pair takes up."""
     pushed = Deviations(pin_radial=(-6.5e-6, 0.0, 0.0))
     real = design(mechanism=Mechanism(3, (0.0,), 2.0), clearance=0.0, deviations=pushed,
                   law=LinearLaw(1e8), exact=False, support=CrankSupport(1e8))  # fmt: skip

@@ -123,7 +123,7 @@ def piece_by_hand(series: MeshesInSeries, sample: int) -> MeshesInSeries:
 def solved_one_by_one(
     piece: MeshesInSeries, torque: float, places: list[float]
 ) -> dict[str, float]:
-    """Its quantities, of positions that are solved by themselves."""
+    """Quantities of a piece, by positions solved one by one."""
 
     def at(angle: float, times: float = 1.0) -> Any:
         return series_position(real=piece, crank_angle=angle, output_torque=times * torque)
@@ -186,7 +186,7 @@ def test_a_piece_hangs_on_no_other_and_on_no_other_tolerance() -> None:
 
 
 def test_pieces_that_bind_in_either_mesh_are_seen() -> None:
-    """Those that fit have play wherever it is looked, those that bind somewhere none."""
+    """Fitting pieces have play at every examined angle, binding ones lack it somewhere."""
     series, torque = bare(3, exact=False)
     tight = Modification(3e-6, 0.0)
     disc = replace(series.ring.disc, modification=tight)

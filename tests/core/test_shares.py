@@ -1,4 +1,4 @@
-"""Which satellite carries what: springs by hand, symmetries, where it is said and where not."""
+"""Shares of the satellites: springs by hand, symmetries, cases with and without an answer."""
 
 import math
 from dataclasses import replace
@@ -113,7 +113,7 @@ def test_a_factor_of_pins_is_no_share_of_discs() -> None:
 
 
 def test_numbers_of_even_shares_are_said_where_they_are_known() -> None:
-    """Of perfect parts those of the papers; with clearance another solution would have to be."""
+    """Perfect parts have the numbers of the papers; clearance would need another solution."""
     found = shares_of(WHOLE)
     assert found is not None
     assert "bearing_life" in {each.check.code for each in found.governs}

@@ -1,4 +1,4 @@
-"""What searches or solves is of one design: an array is refused by the name of its parameter."""
+"""Searches and solvers take one design: an array is refused by the name of its parameter."""
 
 import inspect
 from collections.abc import Callable

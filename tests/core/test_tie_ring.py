@@ -358,7 +358,7 @@ def test_the_crank_gives_what_load_and_pins_take(joint: RingJoint, pins: int) ->
 
 
 def test_a_ring_evens_out_and_does_not_hold() -> None:
-    """The same pins promise much more where a plate is taken to hold their ends."""
+    """A plate that held the pins' ends would promise much more."""
     alone, fixed = strength(None, "cantilever"), strength(None, "fixed")
     loose, tight = strength("pinned"), strength("clamped")
     assert alone.peak_moment == pytest.approx(123.3333, rel=JUDGED)

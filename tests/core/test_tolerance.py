@@ -221,7 +221,9 @@ class Sum:
 
 
 def test_the_errors_of_the_indices_are_as_large_as_they_say() -> None:
-    """Of 300 studies, as often within 1.96 standard errors; the variance is estimated too."""
+    """Indices of 300 studies lie within 1.96 standard errors as often as expected; the variance is
+    estimated too.
+    """
     found = [contributions(study=Sum(seed), percent=50) for seed in range(300)]
     for name, exact in (("a", 0.9), ("b", 0.1)):
         for index in ("total", "first"):
@@ -310,8 +312,8 @@ def uneven(pins: int, satellites: int) -> Mechanism:
 def test_the_widest_play_is_that_of_all_positions(
     size: float, pins: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Of parts that press, just fit, or have almost the eccentricity as room, of deviations of any
-    size, at dead angles.
+    """Parts press, just fit, or have almost the eccentricity as room, with deviations of any size,
+    at dead angles.
     """
     way = Spread(-size / 3, size)
     wide = Tolerances(
@@ -340,7 +342,7 @@ LAWS = [LinearLaw(1e8), PowerLaw(10 / 9, 1000.0, 1e-5), PowerLaw(0.5, 1000.0, 1e
 
 
 def test_blocks_are_larger_where_pieces_are_quick() -> None:
-    """As many pieces in all, however they are split."""
+    """The number of pieces does not depend on the split."""
     few, many = design(), design(mechanism=Mechanism.evenly_spaced(pins=24, satellites=3, ratio=18))
     alone = replace(Study(few, LOOSE, ASKED), threads=1)
     assert alone.block(10**6) == 1024 and alone.block(1000) == 250 and alone.block(8) == 64

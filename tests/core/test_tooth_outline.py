@@ -76,7 +76,7 @@ def test_a_satellite_is_what_its_rack_leaves(teeth: InvoluteTeeth) -> None:
 
 @pytest.mark.parametrize("teeth", SHAPES[:2])
 def test_a_ring_is_what_its_cutter_leaves(teeth: InvoluteTeeth) -> None:
-    """Its cutter has the flanks of a satellite of so many teeth, whose rack goes deep enough."""
+    """The cutter has the flanks of a satellite with its number of teeth and a deep enough rack."""
     pair, cutter = pair_of(teeth), teeth.cutter
     assert cutter is not None
     own = replace(

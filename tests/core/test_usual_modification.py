@@ -67,7 +67,7 @@ def drawn(kind: int, pin: int) -> np.ndarray:
 
 
 def places(sample: int) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Of the pins of a ring, evenly over discs of the radius 3 um."""
+    """Places of ring pins, spread evenly over discs with a radius of 3 um."""
     polar = [
         U / 2 * math.sqrt(drawn(9, k)[sample]) * np.exp(2j * math.pi * drawn(10, k)[sample])
         for k in range(PINS)
@@ -157,7 +157,7 @@ def test_what_is_known_stays() -> None:
 
 
 def test_each_takes_the_usual_value_of_the_other() -> None:
-    """Of a clearance that is not known, and of a modification beside one that is said to be 0."""
+    """Cases: unknown clearance; unknown modification with a clearance stated to be 0."""
     holed = having(FEW, pin_radius=0.006, hole_radius=0.0085, scope=("teeth", "contact"))
     holed = having(holed, pin_material=HARD, hole_material=HARD)
     unknown = having(holed, clearance_stated=False)

@@ -59,7 +59,7 @@ def test_rules_integrate(code):
 @pytest.mark.parametrize("exponent", [0.0, 1.0, 1.5])
 @pytest.mark.parametrize("cranks", [(0.3, 2.0, 4.4), (0.0,)])
 def test_the_reference_of_the_peak_is_the_search_of_the_calculator(exponent, cranks):
-    """They share no formula; what lies beside it by more than rounding is another peak."""
+    """Reference and search share no formula; a difference beyond rounding is another peak."""
     mechanism = Mechanism(pins=5, crank_angles=cranks, ratio=20.0, initial_crank_angle=0.7)
     study = peak_force_study(mechanism=mechanism, force_exponent=exponent)
     assert study.chosen.method in METHODS

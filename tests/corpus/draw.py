@@ -41,7 +41,7 @@ def asked(path: str, body: Any) -> Asked:
 
 
 def usual() -> list[Asked]:
-    """What is shown to people."""
+    """Usual requests, as shown to people."""
     found = [asked(each["calculation"], each["input"]) for each in EXAMPLES]
     found += [asked(path, body) for path, body in REQUESTS.items() if path not in LEFT]
     tutorial = re.findall(r"ask (\S+) '(.*?)'\n", TUTORIAL.read_text(encoding="utf-8"), re.DOTALL)
@@ -140,7 +140,7 @@ def in_series() -> list[Asked]:
 
 
 def held() -> list[Asked]:
-    """What exact values are known of."""
+    """Requests with known exact values."""
     return [
         asked(calculation.path, calculation.request(Draw(seed, extreme=seed % 5 == 4)))
         for calculation in CALCULATIONS
@@ -163,7 +163,7 @@ def drawn(count: int, service: Service) -> list[Asked]:
 
 
 def refused(good: list[Asked]) -> list[Asked]:
-    """What is wrong in one place."""
+    """Requests with one fault."""
     r, picks = Wide(7), random.Random(7).sample(good, REFUSED)
     return [asked(each["path"], mutated(r, each["body"])) for each in picks]
 

@@ -1,4 +1,4 @@
-"""What tests and benchmarks ask core and the service: designs known or drawn, and who asks.
+"""Inputs of tests and benchmarks of core and the service: known or random designs, and callers.
 
 Modules
 -------

@@ -138,7 +138,7 @@ WHOLE = having(
 
 
 def says(check: Check, **expected: Any) -> None:
-    """What a check says; what is not named has its default."""
+    """Assert the attributes of a check; those that are not named have their defaults."""
     plain = {"limit": None, "utilisation": None, "torque_reserve": None}
     plain |= {"impossible": False, "warning": False, "reason": "", "missing": ()}
     for name, value in (plain | expected).items():

@@ -16,12 +16,12 @@ def _forces(found: Any) -> list[float]:
 
 
 def force_error(found: Any) -> float:
-    """Of each force, N."""
+    """Error of each force, N."""
     return float(found.accuracy.relative_error) * max(_forces(found))
 
 
 def lag_error(radius: float, *found: Any) -> float:
-    """Of each lag, rad, by the radius of the circle of pins, m; of several positions the sum."""
+    """Error of each lag, rad, times the pin circle radius, m; the sum for several positions."""
     error = 0.0
     for each in found:
         lags = each.rotation if isinstance(each.rotation, tuple) else (each.rotation,)
@@ -31,6 +31,6 @@ def lag_error(radius: float, *found: Any) -> float:
 
 
 def play_error(found: Any) -> float:
-    """Of both ends of the play, rad."""
+    """Error of both ends of the play, rad."""
     part, least = PLAY
     return part * max(map(abs, found.play)) + least

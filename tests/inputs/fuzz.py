@@ -37,7 +37,7 @@ PROBLEMS = {
 
 @dataclass(slots=True)
 class Report:
-    """What came of the requests.
+    """Results of the requests.
 
     Attributes
     ----------

@@ -351,7 +351,7 @@ def real_design(r: Draw) -> Body:
 
 
 def giving(r: Draw, mechanism: Body) -> Body:
-    """What the satellites give."""
+    """Random elasticity of the satellites."""
     number, kind = r.number, r.choice(("bearings", "elastic", "shares"))
     if kind == "bearings":
         bearings = {"radial_clearance_mm": r.choice((0.0, r.log_uniform(1e-6, 0.1)))}
@@ -563,7 +563,7 @@ def tolerance_study(r: Draw) -> Body:
 
 
 def in_ring(r: Draw, body: Body, size: float) -> Body:
-    """The same with discs in a ring of pins, which is made to tolerances too."""
+    """Random request with discs in a ring of pins, which has tolerances too."""
     number, lobes = r.number, 1 + r.count(24)
     own = {"satellite_teeth": lobes, "ring_teeth": lobes + 1}
     for name, each in body["mechanism"].items():
@@ -688,7 +688,7 @@ def shaft_deflection(r: Draw) -> Body:
 
 
 def tired(r: Draw, body: Body, model: str) -> Body:
-    """The same with strengths, and all ways to judge its fatigue, at times."""
+    """Random request with strengths, and at times all ways to judge fatigue."""
     for name in ("tensile_strength_MPa", "yield_strength_MPa"):
         if r.chance(0.5):
             body[name] = r.number(model, name)

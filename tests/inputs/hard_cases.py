@@ -52,7 +52,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Row:
-    """What a case gave."""
+    """Result of a case."""
 
     case: Case
     error: float | None  # None: refused

@@ -69,7 +69,7 @@ class Service:
         return status, json.loads(content)
 
     def get(self, name: str) -> Any:
-        """What is at a place."""
+        """Answer of a path."""
         status, _, content = self.runner.run(exchange(self.app, API + name, method="GET"))
         assert status == 200, content
         return json.loads(content)

@@ -66,7 +66,7 @@ def drawn(seed: int) -> tuple[InvoluteTeeth, float | None]:
 
 
 def as_pair(teeth: InvoluteTeeth, eccentricity: float | None) -> Pair:
-    """The same for the oracle."""
+    """Pair of teeth for the oracle."""
     return Pair(
         z_s=teeth.satellite_teeth,
         z_r=teeth.ring_teeth,

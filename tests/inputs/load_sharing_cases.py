@@ -59,7 +59,7 @@ def _deviations(given: dict[str, list[Any]]) -> Deviations:
 
 
 def mechanism(body: dict[str, Any]) -> tuple[RealMechanism, float]:
-    """What a request means, and its torque."""
+    """Mechanism of a request, and its torque."""
     sizes, contact, load = body["mechanism"], body["contact"], body["load"]
     spacing = sizes.get("crank_spacing_deg")
     pin: Pins = RIGID_PINS

@@ -30,7 +30,7 @@ OPTIONS = sorted({"curves", "equal_sharing", "approximation", "points", "worked"
 
 
 def cost(calculation: Calculation, body: Body) -> float | None:
-    """What a request says that it costs; None where it is refused, or too long for the loop."""
+    """Cost that a request states; None if it is refused or too long for the loop."""
     content = json.dumps(body).encode()
     try:
         found = read_body(calculation, content, Settings()).cost()
@@ -40,7 +40,7 @@ def cost(calculation: Calculation, body: Body) -> float | None:
 
 
 def in_the_loop(calculation: Calculation, body: Body) -> bool:
-    """Whether the event loop answers a request."""
+    """True if the event loop answers a request."""
     found = cost(calculation, body)
     return found is not None and found <= LIGHT_COST
 
@@ -78,7 +78,7 @@ def largest_in_the_loop(calculation: Calculation, r: random.Random) -> Body | No
 
 
 def _with(body: Body, path: tuple[str, ...], name: str, size: int) -> Body:
-    """The same with another size."""
+    """Request with another size."""
     if path:
         return body | {path[0]: _with(body[path[0]], (), name, size)}
     return body | {name: size}

@@ -18,7 +18,7 @@ NOTHING_KNOWN = 1.0
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What came of a case.
+    """Result of a case.
 
     Attributes
     ----------

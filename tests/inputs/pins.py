@@ -31,7 +31,7 @@ CRITERIA = ("goodman", "gerber", "soderberg", "fkm_haigh")
 
 
 def solved(seed: int) -> bool:
-    """Whether the forces of a design are solved."""
+    """True if the forces of a design are solved."""
     return seed % SOLVED_ONE_IN == SOLVED_ONE_IN - 1
 
 

@@ -49,7 +49,7 @@ def real_turn(*, real: RealMechanism, output_torque: float) -> SampledTurn:
 
 
 def made(real: RealMechanism) -> Callable[[float], SampledTurn]:
-    """The same under any torque, each sampled once."""
+    """Forces on the mechanism as made under any torque, each sampled once."""
     return cache(lambda torque: real_turn(real=real, output_torque=torque))
 
 

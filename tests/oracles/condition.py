@@ -1,4 +1,4 @@
-"""What rounding of the input alone may do to a result: oracles for stated errors.
+"""Change of a result by rounding of the input alone: oracles for stated errors.
 
 `condition` needs no exact answer and knows nothing of how the errors are stated.
 """

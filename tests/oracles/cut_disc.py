@@ -18,7 +18,7 @@ Floats = NDArray[np.float64]
 
 
 class Contacts(NamedTuple):
-    """Where pins press the disc at a lag."""
+    """Contacts of pins and disc at a lag."""
 
     pin: NDArray[np.int64]
     approach: Floats

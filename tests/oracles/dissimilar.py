@@ -26,7 +26,7 @@ ERROR = 5e-6
 
 @cache
 def _moved(half_angle: float) -> tuple[Any, Any]:
-    """What each polynomial moves at each place, without beta and by beta."""
+    """Displacement by each polynomial at each place, without beta and by beta."""
     n = np.arange(2, round(WAVES / half_angle) + 1)
     odd = 2 * np.arange(TERMS) + 1
     fourier = np.array([i * (-1) ** (i // 2) * jv(i, n * half_angle) / n for i in odd])

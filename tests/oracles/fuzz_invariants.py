@@ -1,4 +1,4 @@
-"""What has to hold for every answer of 200, whatever was asked: mechanics, not the code's numbers.
+"""Invariants of every answer of 200, by mechanics and not by the code's numbers.
 
 Each check takes the request's body, the answer, and `ask`, which sends another request.
 """

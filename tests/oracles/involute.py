@@ -18,7 +18,7 @@ DIGITS = 40
 
 @dataclass(frozen=True)
 class Pair:
-    """What is given of teeth; heights in modules, `e` None without backlash."""
+    """Given sizes of teeth; heights in modules, `e` None without backlash."""
 
     z_s: int
     z_r: int
@@ -47,7 +47,7 @@ def _inv(angle):
 
 
 def _thickness(radius, *, teeth, m, x, alpha):
-    """Of an external tooth along a circle; of an internal gear, of its space."""
+    """Thickness of an external tooth, or width of an internal gear's space, along a circle."""
     r_0 = m * teeth / 2
     at = mp.acos(r_0 * mp.cos(alpha) / radius)
     s_0 = m * (mp.pi / 2 + 2 * x * mp.tan(alpha))

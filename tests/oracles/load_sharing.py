@@ -142,7 +142,7 @@ def _bisected(below, low: mpf, high: mpf) -> mpf:
 
 
 def _least(f, low: mpf, high: mpf) -> mpf:
-    """Where a function is least, or anywhere below 0."""
+    """Place at which a function is least, or anywhere below 0."""
     for _ in range(110):
         a, b = (2 * low + high) / 3, (low + 2 * high) / 3
         at_a, at_b = f(a), f(b)
@@ -153,8 +153,8 @@ def _least(f, low: mpf, high: mpf) -> mpf:
 
 
 def _pairs(real: Any, crank_angle: mpf) -> list:
-    """Of each pair, satellite by satellite: the law of its force, pin, crank, hole from there and
-    how far the centres of pin and hole may be apart; in first order lever and gap.
+    """Law, pin, crank, hole from there and largest distance of the centres of pin and hole for each
+    pair, satellite by satellite; lever and gap in first order.
     """
     m, d = real.mechanism, real.deviations
     ratio, start = mpf(m.ratio), mpf(m.initial_crank_angle)
@@ -247,8 +247,8 @@ def pin_give(pin) -> list[mpf]:
 
 
 def _state(real: Any, pairs: list, lag: mpf, back: mpf | int = 0) -> list:
-    """Of each pair its law, its approach, and its levers on the output and on what gives, which has
-    the disc moved back along its crank or turned back about its centre.
+    """Law, approach and levers of each pair on the output and on the elastic part, whose disc is
+    moved back along its crank or turned back about its centre.
     """
     held = _held(real)
     bearing = hasattr(held, "radial_clearance")

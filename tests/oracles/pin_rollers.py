@@ -32,8 +32,8 @@ def ring_speed(
 
 
 def shares(*, kind: str, elements: int) -> tuple[float, float]:
-    """What of the ratings is left where the two elements next to the load carry all of it: of the
-    load zone of a rigid seat over that, by quadrature.
+    """Share of the ratings left if the two elements next to the load carry all of it: by quadrature
+    over the load zone of a rigid seat.
     """
     law, power = ZONE[kind]
     angle = np.linspace(-math.pi / 2, math.pi / 2, 200_001)

@@ -1,4 +1,4 @@
-"""What a pin feels over the turn, for thousands of pins: a dense scan, then grids that close in.
+"""Loads of a pin over the turn, for thousands of pins: a dense scan, then grids that close in.
 
 All is looked at in doubles at once, every summit near the highest is narrowed in all variables
 together, and the best are narrowed again at 64 bits. A value found is one that there is, so that
@@ -81,7 +81,7 @@ class Turn:
         self.rough = base.astype(float), width.astype(float)
 
     def forces(self, part: Array, way: Array) -> Array:
-        """Of segments (n,) at parts of the way (n, m), shape (n, K, m)."""
+        """Forces of segments (n,) at parts of the way (n, m), shape (n, K, m)."""
         base, width = (self.base, self.width) if way.dtype != np.float64 else self.rough
         turned = base[part][:, :, None] + (width[part][:, None] * way)[:, None]
         sign = self.sign[part][:, :, None]
@@ -299,7 +299,7 @@ def worst_cycle(
 
 
 def pin_extremes(design: dict[str, Any]) -> dict[str, Any]:
-    """What `core.output.pin_strength` says of a design, at 64 bits: force, moment, shear force,
+    """Results of `core.output.pin_strength` for a design, at 64 bits: force, moment, shear force,
     equivalent stress, deflection, slope and the safety in fatigue.
     """
     mechanism, span, d = design["mechanism"], design["span"], design["diameter"]

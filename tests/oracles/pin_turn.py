@@ -1,4 +1,4 @@
-"""What a pin feels over the turn, the slow way: looked at closely, then narrowed at 64 bits.
+"""Loads of a pin over the turn, the slow way: scanned closely, then narrowed at 64 bits.
 
 Nothing is shared with ``core``: every pair by its own cosine over a whole turn, the law of the
 forces as printed, no support function. What is narrowed is a grid in all variables at once, which

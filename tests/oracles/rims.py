@@ -1,4 +1,4 @@
-"""What the load as a whole moves at the rim of a hole and of a disc, by finite elements.
+"""Displacements of a hole's and a disc's rim by the whole load, by finite elements.
 
 Displacements ``U(rho)*cos(angle)`` along the radius and ``V(rho)*sin(angle)`` across it, plane
 strain: lines of quadratic elements whose energy is least. Nothing of Michell, Kolosov or Dundurs.

@@ -33,7 +33,7 @@ class Sizes:
         return values[n] if name.startswith("pin") else values[j]
 
     def left(self, wave: float, lag: float) -> float:
-        """What is left to the tightest pin: its hole's radius less its own and their distance."""
+        """Room of the tightest pin: hole radius less pin radius less their distance."""
         least = math.inf
         for j, start in enumerate(self.cranks):
             own = self.eccentricity + self._of("eccentricity", j, 0)

@@ -1,4 +1,4 @@
-"""What a satellite does over the turn, the slow way: integrated and narrowed at 64 bits.
+"""Loads of a satellite over the turn, the slow way: integrated and narrowed at 64 bits.
 
 Nothing is shared with ``core``: every pair by its own cosine, no symmetry beyond the pin spacing.
 """
@@ -87,7 +87,7 @@ class SatelliteTurn:
         return most * (integral / turn) ** (1 / power)
 
     def largest(self, value: Callable[[int, Any], Any]) -> Any:
-        """Of all segments, narrowed about every summit of samples."""
+        """Largest value over all segments, narrowed about every summit of samples."""
         best = -np.inf
         for part in range(len(self.parts)):
             values = value(part, WAY)
@@ -105,7 +105,7 @@ class SatelliteTurn:
 
 
 class ShaftTurn:
-    """What all satellites together do to a bearing of the crankshaft."""
+    """Loads of all satellites together on a bearing of the crankshaft."""
 
     def __init__(self, pins: int, crank_angles: Sequence[mpf], exponent: mpf) -> None:
         every = range(len(crank_angles))

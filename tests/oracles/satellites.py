@@ -1,4 +1,4 @@
-"""What satellites do at many angles, straight from the law."""
+"""Loads of satellites at many angles, straight from the law."""
 
 from typing import Any
 

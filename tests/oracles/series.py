@@ -113,7 +113,7 @@ def _narrowed(series: Any, angle: mpf, torque: mpf, lags: list[mpf]) -> ExactSer
     bodies = [Body(series, j, angle) for j in range(count)]
 
     def off(j: int, lag: mpf, own: mpf) -> tuple[mpf, mpf]:
-        """Of disc j the torque on the output, and what is left of its own balance."""
+        """Torque of disc j on the output, and the error of its own balance."""
         _, on_output, on_disc, _ = bodies[j].on_pins(lag, own)
         return on_output, bodies[j].in_ring(own)[1] - on_disc
 

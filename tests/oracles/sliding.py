@@ -36,7 +36,7 @@ def equivalent_stress(*, poissons_ratio: float, friction: float, x: float, z: fl
 
 
 def surface_stress(*, poissons_ratio: float, friction: float, x: float) -> float:
-    """The same at the surface within the contact, where the pressure itself acts: along it, its
+    """Stress at the surface within the contact, under the pressure itself: along the surface, its
     own size by the pressure, and by the friction ``-2*mu*x``, as of a half-plane.
     """
     pressure = math.sqrt(1 - x**2)

@@ -84,7 +84,7 @@ def beam(pin: Any, places: tuple[float, ...]) -> np.ndarray:
 
 
 class Network:
-    """What gives, at a crank angle, under a torque. Deviations of pins, cranks and discs are those
+    """Elastic parts at a crank angle under a torque. Deviations of pins, cranks and discs are those
     of the mechanism. Without a ring discs are shifted along their cranks alone.
     """
 

@@ -1,4 +1,4 @@
-"""Whether teeth of a small difference can exist: all shifts and addenda of a grid are tried.
+"""Existence of teeth with a small difference: all shifts and addenda of a grid are tried.
 
 Lengths are in millimetres, angles in degrees.
 """

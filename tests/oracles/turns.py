@@ -1,4 +1,4 @@
-"""What is largest over the turn of a mechanism as made, by bisection at many positions.
+"""Largest values over the turn of a mechanism as made, by bisection at many positions.
 
 Nothing is shared with ``core``, nor imported from it: pins and holes in first order, the lag halved
 until the torque of all forces is the load, at every position of a scan and then about its highest

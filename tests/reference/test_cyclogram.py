@@ -136,7 +136,7 @@ def test_pattern_period_repeats_the_counts_and_nothing_shorter_does(seed: int) -
     theta = [t for row in phases(mechanism.pins, mechanism.crank_angles) for t in row]
 
     def is_symmetry(shift: mpf) -> bool:
-        """Whether the phases shifted are the phases again, one by one."""
+        """True if the shifted phases are the phases again, one by one."""
         turn = 2 * mp.pi
         left = list(theta)
         for t in theta:

@@ -16,7 +16,7 @@ from tests.oracles.seeds import seeds
 
 
 def size_of(name: str, pair: InvolutePair, exact: float) -> float:
-    """What a number's error is a part of: where it is a difference, of what it is one."""
+    """Size to which the error of a number is relative; the larger term of a difference."""
     teeth = pair.teeth
     if name == "tip_interference":
         return 0.1 * teeth.ring_teeth

@@ -32,7 +32,7 @@ from tests.oracles.shaft import exact_deflection
 
 @pytest.mark.parametrize("seed", seeds(12))
 def test_length_by_z(seed: int) -> None:
-    """Of every line by itself, and of all together."""
+    """Length of every line by itself, and of all together."""
     r = random.Random(seed)
     gear = random_gear(r)
     positions = [random_position(r) for _ in range(3)]

@@ -60,7 +60,7 @@ def test_nothing_happens_where_the_clearance_passes_the_eccentricity(clearance: 
 @pytest.mark.parametrize("exact", [False, True])
 @pytest.mark.parametrize("stiffness", [5e7, 5e10, 5e13, 5e16])
 def test_contacts_a_milliard_times_as_stiff(stiffness: float, exact: bool) -> None:
-    """What rounding of the approaches does grows with them, and is said."""
+    """The effect of rounded approaches grows with the stiffness, and is stated."""
     real = design(law=LinearLaw(stiffness), exact=exact)
     found, known = solved(real, 0.1, 30.0), exact_position(real, 0.1, 30.0)
     for force, expected in zip(flat(found), known.force, strict=True):

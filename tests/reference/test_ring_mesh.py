@@ -23,7 +23,7 @@ CASES = json.loads((Path(__file__).parent.parent / "oracles/cycloid_mesh_cases.j
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"][:3])
 def test_held_numbers(case: dict[str, Any]) -> None:
-    """Of another program, in 40 digits; A4 and A5 are those of a public one as well."""
+    """Numbers of another program in 40 digits; A4 and A5 are also those of a public program."""
     mesh, angle, torque = of_request(case["body"])
     found, near = mesh_position(mesh=mesh, crank_angle=angle, output_torque=torque), case["rtol"]
     expected, ideal = case["expect"]["positions"][0], case["expect"]["geometry"]
@@ -151,7 +151,7 @@ def test_virtual_work(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", seeds(4))
 def test_first_order_is_off_by_squares(seed: int) -> None:
-    """Of errors, gaps and lag together, so no sign of any is wrong."""
+    """Squares of errors, gaps and lag together, so that no sign of any is wrong."""
     mesh, angle, _ = drawn(4 * seed + 200, law=LinearLaw(1e8))
     off = []
     for scale in (1.0, 0.1, 0.01):

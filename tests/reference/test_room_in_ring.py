@@ -60,7 +60,7 @@ def most_room(series: MeshesInSeries, crank: float) -> tuple[float, list[tuple[f
 
 
 def pressed(series: MeshesInSeries) -> MeshesInSeries:
-    """The same in a ring whose pins press: its discs are not modified."""
+    """Design in a ring whose pins press, as its discs are not modified."""
     disc = replace(series.ring.disc, modification=Modification())
     return replace(series, ring=replace(series.ring, disc=disc))
 

@@ -24,7 +24,7 @@ def flat(rows: Any) -> list[float]:
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["name"][:2])
 def test_held_numbers(case: dict[str, Any]) -> None:
-    """Of another program, in 40 digits, in first order too."""
+    """Numbers of another program in 40 digits, in first order too."""
     series, angle, torque = of_request(case["body"])
     found = series_position(real=series, crank_angle=angle, output_torque=torque)
     expected, near = case["expect"]["positions"][0], case["rtol"]
@@ -85,7 +85,7 @@ def test_stiffness_is_what_more_torque_turns(seed: int) -> None:
 
 
 def test_a_small_load_on_contacts_that_only_just_touch() -> None:
-    """They are so soft there that a step of Newton would lead turns away."""
+    """Contacts are so soft there that a step of Newton would lead turns away."""
     series, _, _ = of_request(CASES[2]["body"])
     angle, torque = 121.05603691832671, 12.6
     found = series_position(real=series, crank_angle=angle, output_torque=torque)

@@ -54,7 +54,7 @@ def made(seed: int, support: SatelliteSupport, tie: str = "") -> Made:
 
 
 def unknowns(stage: Stage, room: Solved, network: Network) -> np.ndarray:
-    """Where the product says that all rests, as the oracle counts it: a start, not an answer."""
+    """Solution of the product in the oracle's unknowns, as a start and not an answer."""
     count, (own, off) = network.discs, room.discs
     x = np.zeros(len(network.sizes))
     x[0], x[1 : 1 + count] = room.lags[0, 0], own[0] - network.late

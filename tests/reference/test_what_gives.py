@@ -134,8 +134,8 @@ def test_case_s13_of_three_discs_with_all_deviations_is_balanced() -> None:
 
 
 def held_energy(real: RealMechanism, x: np.ndarray) -> float:
-    """Of rigid pins on discs whose bearings or meshes give: the lag, then of each disc how far it
-    is off along its crank, or how far it is turned back.
+    """Stored energy of rigid pins on discs with elastic bearings or meshes, by the lag and by the
+    shift of each disc along its crank or its rotation.
     """
     own, lag, support = real.mechanism, x[0], real.support
     stiff = support.bearing or support.mesh

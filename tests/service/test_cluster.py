@@ -58,7 +58,7 @@ STREAM = {"accept": "application/x-ndjson"}
 
 @pytest.fixture(scope="module")
 def cluster() -> Iterator[Cluster]:
-    """Of it a worker is lost first, then the last one, then the scheduler."""
+    """Cluster that loses a worker first, then the last one, then the scheduler."""
     found = Cluster()
     yield found
     found.stop()

@@ -28,12 +28,12 @@ FORCE = b'"pins":3,"ratio":20,"output_torque_Nm":500,"pin_circle_radius_mm":50'
 
 
 def many(item, size):
-    """So much of a list."""
+    """List of the given size."""
     return b",".join([item] * (size // (len(item) + 1)))
 
 
 def names(size):
-    """So much of an object with unknown names, each another one."""
+    """Object of the given size with unknown names, all different."""
     return b",".join(b'"%d":0' % (10**6 + n) for n in range(size // 12))
 
 

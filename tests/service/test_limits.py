@@ -76,7 +76,7 @@ def test_a_second_request_has_its_own_time_and_the_first_its_answer(service):
 
 
 def test_a_second_request_in_the_pipe_is_not_read_and_ends_the_connection(service):
-    """Where the first is answered, and where it is not yet; however many there are."""
+    """The first request is answered, or not yet; any number may follow."""
     errors = service.said('"level":"error"')
     ask = b"GET /livez HTTP/1.1\r\nhost: x\r\nx-request-id: %b\r\n\r\n"
     with connect(service) as connection:
@@ -91,7 +91,7 @@ def test_a_second_request_in_the_pipe_is_not_read_and_ends_the_connection(servic
 
 
 def test_a_client_with_a_second_request_in_the_pipe_can_go(narrow):
-    """What it gave up is ended, and the next one's turn comes: nothing else would end it."""
+    """The request that the client gave up ends, and the next one's turn comes."""
     with nothing_is_calculated(narrow, 1) as go_on:
         with connect(narrow) as connection:
             head = (POST % len(LONG)).replace(b"host: x", b"host: x\r\nx-request-id: gone")
@@ -163,8 +163,9 @@ def test_an_answer_that_nobody_takes_is_dropped(service):
 
 
 def test_what_is_large_has_few_places_and_what_is_small_needs_none(narrow):
-    """Of two places a client has one while its body is not whole, and another finds the other one;
-    a batch whose body is small has none before that is whole. Who finds none is told to come again.
+    """A client holds one of two places while its body is not complete, and another finds the other
+    one; a batch with a small body has none before it is complete. A client without a place is told
+    to come again.
     """
     large = POST % 20_000 + b" " * 17_000
     batch = (POST % 1000).replace(b"cyclogram", b"batch") + b"{"

@@ -1,4 +1,4 @@
-"""What the README shows, run against a running service: the same comes out."""
+"""Examples of the README against a running service, with equal results."""
 
 import json
 import re

@@ -123,7 +123,7 @@ def test_too_few_descriptors_end_the_start_with_one_line():
 
 
 def test_without_standard_files_no_line_of_the_log_goes_into_another():
-    """What is opened first would take their numbers."""
+    """Files that are opened first would take the numbers of the standard files."""
     code = "import os; from app.serve import open_standard_files; os.closerange(0, 3); "
     code += "open_standard_files(); print(*map(os.readlink, map('/proc/self/fd/{}'.format, "
     code += "range(3))), os.open('.', 0), file=open('/proc/%d/fd/%d' % (os.getpid(), FD), 'w'))"

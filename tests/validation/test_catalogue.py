@@ -42,7 +42,7 @@ def numbers_of(value: Any, pointer: str = "") -> Iterator[str]:
 
 
 def at(answer: Any, pointer: str) -> Any:
-    """What is at a JSON pointer."""
+    """Value at a JSON pointer."""
     for name in pointer.split("/")[1:]:
         answer = answer[int(name) if isinstance(answer, list) else name]
     return answer

@@ -32,7 +32,9 @@ def test_the_first_pieces() -> None:
 
 
 def test_the_whole_run() -> None:
-    """It had the pieces that do not fit in it, pressed together: they are solved for it here."""
+    """The original run includes the pieces that do not fit, pressed together; they are solved for
+    it here.
+    """
     asked, found = study(4096), run(4096)
     pieces, places = asked.pieces(), [2 * math.pi * k / 60 for k in range(60)]
     for i in np.flatnonzero(~found.fits):

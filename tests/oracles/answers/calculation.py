@@ -1,4 +1,4 @@
-"""What a calculation is asked, as people type it, and what its answer is held against.
+"""Request of a calculation as people type it, and the exact values for its answer.
 
 A number typed is a decimal: `typed` gives it exactly, and the exact answer is that of the decimals,
 not of the doubles that stand for them in a program. So what a program loses by reading them counts
@@ -47,7 +47,7 @@ class Number(NamedTuple):
 
     @property
     def error(self) -> float:
-        """Its error over the size."""
+        """Error of an answer over its size."""
         off = abs(mpf(self.sent) - self.exact)
         return float(off / abs(self.exact if self.size is None else self.size)) if off else 0.0
 

@@ -14,7 +14,7 @@ RELIABILITIES = {50: 1.0, 90: 0.897, 99: 0.814, 99.9: 0.753}
 
 
 def basis(r: Draw) -> Body:
-    """What a part is judged by: a limit, or what it is made of."""
+    """Basis of the fatigue strength of a part: a limit, or factors."""
     fatigue: Body = {"criterion": r.choice(CRITERIA)}
     if r.chance(0.5):
         return fatigue | {"endurance_limit_MPa": r.decimal(50, 400)}

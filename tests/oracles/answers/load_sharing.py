@@ -76,7 +76,7 @@ def request(r: Draw) -> Body:
 
 
 def _giving(r: Draw, satellites: int) -> Body:
-    """What the satellites give."""
+    """Elasticity of the satellites."""
     kind = r.choice(("bearings", "elastic", "shares"))
     if kind == "bearings":
         stiffness = r.power(1e3, 1e12) if r.extreme else r.power(1e5, 1e6)
@@ -195,7 +195,7 @@ def _real(body: Body) -> tuple[Any, mpf, mpf]:
 
 
 def _support(body: Body) -> SimpleNamespace | None:
-    """What the satellites give, in decimals."""
+    """Elasticity of the satellites, in decimals."""
     if bearings := body.get("crank_support"):
         loose = typed(bearings["radial_clearance_mm"]) / 1000
         stiffness = typed(bearings["stiffness_N_per_mm"]) * 1000

@@ -52,7 +52,7 @@ def request(r: Draw) -> Body:
 
 
 def by_a_hair(body: Body) -> bool:
-    """Whether pairs of two satellites switch at almost, but not just, the same place."""
+    """True if pairs of two satellites switch at almost, but not just, one place."""
     step = mpf(180) / body["pins"]
     places = [angle % step for angle in angles(body)]
     return any(

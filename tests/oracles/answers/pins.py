@@ -157,7 +157,7 @@ def numbers(body: Body, answer: Any) -> Numbers:
 
 
 class Beam:
-    """What the satellites' unit forces do to the pin, by finite elements and statics."""
+    """Effects of the satellites' unit forces on the pin, by finite elements and statics."""
 
     def __init__(self, pin: Body) -> None:
         self.places = [typed(z) for z in pin["satellite_positions_mm"]]

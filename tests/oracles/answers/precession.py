@@ -78,7 +78,7 @@ def mesh(r: Draw) -> Body:
 
 
 def without_arm(first: float, total: int, in_mesh: int) -> bool:
-    """Whether a roller of a wheel lies at a multiple of half a turn, where it has no arm."""
+    """True if a roller of a wheel lies at a multiple of half a turn, where it has no arm."""
     places = (typed(first) + mpf(360) * index / total for index in range(in_mesh))
     return any(abs(place / 180 - mp.nint(place / 180)) < mpf("1e-30") for place in places)
 
@@ -335,8 +335,8 @@ def strong(r: Draw) -> Body:
 
 
 def strong_numbers(body: Body, answer: Any) -> Numbers:
-    """Those of the shaft, and its stresses at all steps, at B and at the clamp, from the forces and
-    the moment of the mesh: ``F*s - M*min(s/a, 1)``.
+    """Numbers of the shaft and its stresses at all steps, at B and at the clamp, from force and
+    moment of the mesh: ``F*s - M*min(s/a, 1)``.
     """
     found, mesh, sent = shaft_numbers(body, answer), exact_mesh(body), answer["strength"]
     tensile, yields = (typed(body[f"{name}_strength_MPa"]) for name in ("tensile", "yield"))

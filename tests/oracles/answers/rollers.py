@@ -125,7 +125,7 @@ def tired(r: Draw) -> Body:
 
 
 def tired_numbers(body: Body, answer: Any) -> Numbers:
-    """Those of the rollers, and their stress as a cycle."""
+    """Numbers of the rollers, with their stress as a cycle."""
     found = numbers(body, answer)
     top = found["/bending_stress_MPa"].exact
     named = {"notch", "fatigue_notch_factor", "endurance_limit_MPa"} & {*body["fatigue"]}
