@@ -22,8 +22,8 @@ SOURCE = "\n".join(path.read_text() for path in sorted(ROOT.glob("core/**/*.py")
 
 
 @pytest.mark.slow
-def test_names_of_the_nomenclature_are_those_of_the_core():
-    rows = [line.split(" | ") for line in (ROOT / "docs/nomenclature.md").read_text().splitlines()]
+def test_names_of_the_glossary_are_those_of_the_core():
+    rows = [line.split(" | ") for line in (ROOT / "docs/glossary.md").read_text().splitlines()]
     names = {name for row in rows if len(row) > 3 for name in re.findall(r"`(\w+)`", row[1])}
     assert len(names) > 50
     assert {name for name in names if not re.search(rf"\b{name}\b", SOURCE)} == set()

@@ -10,7 +10,6 @@ import httpx
 import pytest
 from khv_calc import Client, Refused
 
-from core.precision import SAME
 from tests.inputs.children import ran
 
 ROOT = Path(__file__).parent.parent.parent
@@ -36,6 +35,13 @@ def block(language):
     return text
 
 
+def part_of(answer, shown):
+    """What of an answer is shown, its numbers to four digits."""
+    if isinstance(shown, dict):
+        return {name: part_of(answer[name], value) for name, value in shown.items()}
+    return float(f"{answer:.4g}") if isinstance(answer, float) else answer
+
+
 def output(*command):
     return ran(*command).stdout
 
@@ -55,15 +61,7 @@ def test_the_curl_example_answers_what_stands_there(service, direct):
     assert ADDRESS in block("sh")
     answer = json.loads(output("sh", "-c", block("sh").replace(ADDRESS, service.url)))
     shown = json.loads(block("json"))
-    accuracy, stated = answer.pop("accuracy"), shown.pop("accuracy")
-    assert accuracy.pop("run_time_us") > 0 and stated.pop("run_time_us") > 0
-    assert accuracy.pop("relative_error") == pytest.approx(stated.pop("relative_error"), rel=0.01)
-    assert accuracy == stated
-    assert answer.pop("peak_pair") == shown.pop("peak_pair")
-    (assumed,), (said,) = answer.pop("assumed"), shown.pop("assumed")
-    assert assumed.pop("without") == pytest.approx(said.pop("without"), rel=SAME)
-    assert assumed == said
-    assert answer == pytest.approx(shown, rel=SAME)
+    assert part_of(answer, shown) == shown
 
 
 def test_the_refusal_of_the_api_document_is_what_is_sent(service):
