@@ -746,11 +746,12 @@ class StepOut(BaseModel):
     )
     method: Maybe[str] = Field(
         default=None,
-        description="How it was got in the place of a formula, by code: what is searched, solved, "
-        "counted or given.",
+        description="How it was got in the place of a formula, by code: what is summed, searched, "
+        "solved, counted or given.",
     )
     names: dict[str, str] = Field(
-        description="What each name of the formula is, with its unit at its end."
+        description="What each name of the formula is, or each number that goes into the method, "
+        "with its unit at its end."
     )
     values: dict[str, float] = Field(description="Its value, in that unit.")
     result: float = Field(description="The result, in `unit`.")

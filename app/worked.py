@@ -54,11 +54,11 @@ VALUES = {
 """Values on the way to a result, by the API's names of their steps."""
 
 OTHERS = (
-    "balance_force_N bearing_position_mm bearing_speed_rpm bolt_radius_mm counterweight_position_mm deflection_mm "
-    "fatigue_life_h fatigue_safety_factor fit_exponent fit_scale full_turn_deg half_turn_deg "
-    "half_turns life_h limit_MPa mean_MPa pins pitches polar_angle_deg rating_share repeats "
-    "safety_hole safety_pin satellite_position_mm sides size static_rating_safety stiffness_N_per_mm "
-    "stress_ratio torque_share turns"
+    "balance_force_N bearing_position_mm bearing_speed_rpm bolt_radius_mm "
+    "counterweight_position_mm deflection_mm fatigue_life_h fatigue_safety_factor fit_exponent "
+    "fit_scale full_turn_deg half_turn_deg half_turns life_h limit_MPa mean_MPa pins pitches "
+    "polar_angle_deg rating_share repeats safety_hole safety_pin satellite_position_mm sides size "
+    "static_rating_safety stiffness_N_per_mm stress_ratio torque_share turns"
 )
 """API's names of other quantities, which no field has, or several with units of their own."""
 

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from contextlib import suppress
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -31,7 +32,7 @@ IN_RADIANS = {"note": "turns_in_radians"}
 def _sheet(results: Results, found: object, at: int | None = None) -> Sheet:
     """Sheet on which torque, sizes, ratio and speed are known."""
     sheet, design = Sheet(found, at), results.design
-    take_torque(sheet, design.members, design.load.output_torque)
+    take_torque(sheet, members=design.members, output_torque=design.load.output_torque)
     sheet.read(design.load, R="pin_circle_radius")
     sheet.read(design.contact, e="eccentricity")
     sheet.read(design.mechanism, u="ratio")
@@ -92,7 +93,7 @@ def bearing_steps(results: Results) -> list[Step]:
     design, found = results.design, results.crank.bearings
     bearing, j = design.bearing, worst_bearing(found)
     sheet, where = _sheet(results, found, j), {"params": {"satellite": j + 1}}
-    take_speed(sheet, results)
+    take_speed(sheet, results=results)
     sheet.work("relative_speed", "n", "n_1*(1+1/u)", found.given_speed)
     _ring(sheet, results, found)
     turning = design.members.output in ("pins", "coupling")
@@ -107,13 +108,18 @@ def bearing_steps(results: Results) -> list[Step]:
         percent = {"params": {"percent": bearing.reliability_percent}}
         sheet.state("life", "L_n", "reliable", "L_10", **percent)
     sheet.read(bearing, C_0="static_rating")
-    safety, said = if_known(lambda: found.static_safety_factor[j]), {"source": "iso76"}
-    code, symbol = "static_rating_safety", "S_0"
+    safety = if_known(lambda: found.static_safety_factor[j])
+    said: dict[str, Any] = {
+        "code": "static_rating_safety",
+        "symbol": "S_0",
+        "source": "iso76",
+        "value": safety,
+    }
     if results.crank.centrifugal:  # which the load at rest has none of
-        sheet.state(code, symbol, "under_peak", "C_0", safety, **said)
+        sheet.state(method="under_peak", of="C_0", **said)
     else:
-        grown = design.static_torque / design.pin_torque
-        static_step(sheet, results, code, symbol, ("C_0", "Q_max"), grown, value=safety, **said)
+        share = design.static_torque / design.pin_torque
+        static_step(sheet, results=results, over=("C_0", "Q_max"), share=share, **said)
     sheet.state("system_life", "L_s", "together", "L_n")
     return sheet.steps
 

@@ -71,7 +71,9 @@ def _factors(
     _notch(sheet, basis, float(factors.notch), in_stress)
 
 
-def finite_life(sheet: Sheet, cycle: CycleFatigue, wave: str, life: float, cycles: float) -> None:
+def finite_life(
+    sheet: Sheet, *, cycle: CycleFatigue, wave: str, life: float, cycles: float
+) -> None:
     """Add the strength over a life, s, so short that it is above the endurance limit."""
     if not cycle.short:
         return

@@ -105,7 +105,7 @@ def force_steps(
     sheet = Sheet(found)
     wave = sheet.take_ratio(mechanism.ratio)
     if driven_by is None:
-        take_torque(sheet, members, output_torque)
+        take_torque(sheet, members=members, output_torque=output_torque)
     else:  # on the pins alike, whichever is the output
         sheet.take("T_in", "input_torque", driven_by[0])
         sheet.take("eta", "efficiency", driven_by[1])

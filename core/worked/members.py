@@ -21,7 +21,7 @@ OUTPUT_POWER = {"pins": "T*n_1/u", "ring": "T_r*n_in/(u+1)", "coupling": "T*n_1"
 """Power of the output, if it is one member."""
 
 
-def take_torque(sheet: Sheet, members: Members, output_torque: float) -> None:
+def take_torque(sheet: Sheet, *, members: Members, output_torque: float) -> None:
     """Let the torque T on the pins be known, by that of the output."""
     if members.pin_share == 1:
         sheet.take("T", "output_torque", output_torque)
@@ -31,7 +31,7 @@ def take_torque(sheet: Sheet, members: Members, output_torque: float) -> None:
     sheet.work("pin_torque", "T", "T_r*u/(u+1)", output_torque * members.pin_share)
 
 
-def take_speed(sheet: Sheet, results: Results) -> None:
+def take_speed(sheet: Sheet, *, results: Results) -> None:
     """Let the speed n_1 of the crank against the ring be known, if there is one."""
     design, load = results.design, results.design.load
     speeds, output = design.speeds, design.members.output
@@ -60,7 +60,7 @@ def member_steps(results: Results) -> list[Step]:
         return []
     sheet = Sheet(found)
     sheet.take_ratio(members.ratio)
-    take_torque(sheet, members, load.output_torque)
+    take_torque(sheet, members=members, output_torque=load.output_torque)
     sheet.work("crank_torque", "T_1", "T/u")
     sheet.work("ring_torque", "T_3", "-(T+T_1)")
     sheet.work("output_ratio", "i", "-T/T_1" if members.output == "pins" else "-T_3/T_1")

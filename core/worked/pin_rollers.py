@@ -25,7 +25,7 @@ def roller_steps(results: Results) -> list[Step]:
     design, found = results.design, results.roller_loads
     own, elements, sheet = design.rollers, KINDS[design.rollers.kind], Sheet(found)
     wave = sheet.take_ratio(design.mechanism.ratio)
-    take_speed(sheet, results)
+    take_speed(sheet, results=results)
     sheet.read(design.contact, e="eccentricity")
     sheet.read(design.pair, r_s="pin_radius")
     sheet.read(own, C="dynamic_rating", C_0="static_rating", Z="rolling_elements")
@@ -49,6 +49,13 @@ def roller_steps(results: Results) -> list[Step]:
             sheet.work(code, symbol, f"{rating}*{share}")
     said = {"source": "iso281", "note": "turns_in_radians"}
     sheet.work("life", "L", "2*pi*10^6*(C_w/P)^p/n_s", **said)
-    grown = design.static_torque / design.pin_torque
-    static_step(sheet, results, "static_safety_factor", "S_0", ("C_0w", "F"), grown, source="iso76")
+    static_step(
+        sheet,
+        results=results,
+        code="static_safety_factor",
+        symbol="S_0",
+        over=("C_0w", "F"),
+        share=design.static_torque / design.pin_torque,
+        source="iso76",
+    )
     return sheet.steps

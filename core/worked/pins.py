@@ -13,6 +13,7 @@ from core.worked.step import Sheet, Step
 
 def static_step(
     sheet: Sheet,
+    *,
     results: Results,
     code: str,
     symbol: str,
@@ -58,8 +59,14 @@ def strength_steps(*, results: Results, found: PinStrength, deflection: bool) ->
     sheet.work("peak_shear_stress", "tau", sheared)
     sheet.state("peak_equivalent_stress", "sigma_v", "equivalent", "sigma_b tau")
     sheet.read(pin.material, R_e="yield_strength")
-    over = ("R_e", "sigma_v")
-    static_step(sheet, results, "static_safety_factor", "S", over, design.static_share)
+    static_step(
+        sheet,
+        results=results,
+        code="static_safety_factor",
+        symbol="S",
+        over=("R_e", "sigma_v"),
+        share=design.static_share,
+    )
     if design.fatigue:
         with suppress(*UNKNOWN):
             _fatigue(sheet, results, found)
@@ -84,12 +91,13 @@ def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
     sheet.state("max_stress", "sigma_max", "worst_cycle", value=cycle.max_stress)
     sheet.state("min_stress", "sigma_min", "worst_cycle", value=cycle.min_stress)
     if cycle.short or cycle.life is not None:
-        take_speed(sheet, results)
+        take_speed(sheet, results=results)
     wave = sheet.take_ratio(ratio)
 
     def finite() -> None:
         life = design.life_of(basis)
-        finite_life(sheet, cycle, wave, life, design.loads_over(life))
+        cycles = design.loads_over(life)
+        finite_life(sheet, cycle=cycle, wave=wave, life=life, cycles=cycles)
 
     cycle_steps(
         sheet,

@@ -1,7 +1,7 @@
 """Worked steps of the precessional gear: contact lines, load of the mesh, shaft."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from typing import Any
 
@@ -28,13 +28,8 @@ def _by(equation: str = "", erratum: str = "") -> dict[str, str]:
 def _sheet(gear: dict[str, float], line: ContactLine, found: object) -> Sheet:
     """Sheet on which the gear's sizes are known, and the length A of its contact lines."""
     sheet = Sheet(found)
-    for symbol, name in (
-        ("R_C", "roller_circle_radius"),
-        ("rho", "roller_radius"),
-        ("theta", "nutation_angle"),
-        ("u_12", "ratio_u12"),
-    ):
-        sheet.take(symbol, name, gear[name])
+    sheet.read(gear, R_C="roller_circle_radius", rho="roller_radius")
+    sheet.read(gear, theta="nutation_angle", u_12="ratio_u12")
     formula = "R_C*(cos(theta)-u_12)/sin(theta)"
     sheet.work("scale", "A", formula, line.curve.scale, **_by("1"))
     return sheet
@@ -138,10 +133,7 @@ def shaft_steps(
     *,
     load: MeshingLoad,
     found: ShaftDeflection,
-    shaft_sections: Sequence[ShaftSection],
-    bearing_distance: float,
-    overhang: float,
-    youngs_modulus: float,
+    shaft: Mapping[str, Any],
     strength: ShaftStrength | None = None,
     judged: dict[str, Any] | None = None,
     contact: tuple[LineContact, dict[str, Any]] | None = None,
@@ -150,20 +142,16 @@ def shaft_steps(
 
     Parameters
     ----------
-    shaft_sections : sequence of ShaftSection
-        Shaft from C to the clamp.
-    bearing_distance, overhang, youngs_modulus : float
-        a and b, m, and E, Pa.
+    shaft : dict
+        `shaft_sections` from C to the clamp, `bearing_distance`, `overhang`, `youngs_modulus`.
     judged : dict, optional
         Arguments of the strength: `basis`, `tensile_strength`, `yield_strength`.
     contact : tuple, optional
         Contact along the lines, and its `roller_radius`, `mating_radius`, `materials`.
     """
-    sheet = Sheet(found)
-    sheet.take("a", "bearing_distance", bearing_distance)
-    sheet.take("b", "overhang", overhang)
-    sheet.take("E", "youngs_modulus", youngs_modulus)
-    sheet.take("d", "diameter", min(each.diameter for each in shaft_sections))
+    sheet, sections = Sheet(found), shaft["shaft_sections"]
+    sheet.read(shaft, a="bearing_distance", b="overhang", E="youngs_modulus")
+    sheet.take("d", "diameter", min(each.diameter for each in sections))
     for axis, force, moment in zip("xy", load.force, load.moment, strict=False):
         sheet.take(f"F_{axis}", "force", force)
         sheet.take(f"M_C{axis}", "moment", moment)
@@ -180,7 +168,7 @@ def shaft_steps(
             formula = f"Delta_prime_{at}/Delta_{at}-1"
             sheet.work(f"simplification_error_{at}", f"epsilon_{at}", formula)
     if strength:
-        _strength(sheet, strength, shaft_sections, judged or {})
+        _strength(sheet, strength, sections, judged or {})
     if contact:
         _contact(sheet, load, contact[0], **contact[1])
     return sheet.steps

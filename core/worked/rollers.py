@@ -1,16 +1,15 @@
 """Worked steps of swinging rollers."""
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
-from core.design.sections import FatigueBasis
 from core.fatigue import CycleFatigue
 from core.rollers.roller_strength import (
     SHEAR_FACTOR,
     ByShearModulus,
     PositionTolerance,
     RollerStrength,
-    Shear,
     Spacing,
 )
 from core.worked.fatigue import cycle_steps
@@ -27,71 +26,52 @@ def _by(equation: str, erratum: str = "") -> dict[str, str]:
 def roller_steps(
     *,
     found: RollerStrength,
-    output_torque: float,
-    hole_circle_radius: float,
-    rollers: int,
-    cylinder_length: float,
-    sphere_width: float,
-    sphere_diameter: float,
-    diameter: float,
-    friction_coefficient: float,
-    youngs_modulus: float,
-    shear: Shear,
-    stress_concentration: float = 1.0,
-    spacing: Spacing,
+    design: Mapping[str, Any],
     cycle: CycleFatigue | None = None,
     judged: dict[str, Any] | None = None,
 ) -> list[Step]:
-    """Steps of the strength of rollers; other arguments are those of `core.rollers`.
+    """Steps of the strength of rollers.
 
     Parameters
     ----------
+    design : dict
+        Arguments of `core.rollers.roller_strength.roller_strength`.
     cycle : CycleFatigue, optional
         Fatigue of the rollers.
     judged : dict, optional
         Arguments of the fatigue: `basis`, `tensile_strength`, `yield_strength`, `rotates`.
     """
-    sheet = Sheet(found)
-    for symbol, quantity, value in (
-        ("l", "cylinder_length", cylinder_length),
-        ("b", "sphere_width", sphere_width),
-        ("D", "sphere_diameter", sphere_diameter),
-        ("d", "diameter", diameter),
-        ("k", "friction_coefficient", friction_coefficient),
-        ("n", "rollers", rollers),
-        ("E", "youngs_modulus", youngs_modulus),
-        ("T", "output_torque", output_torque),
-        ("R", "hole_circle_radius", hole_circle_radius),
-        ("K_sigma", "stress_concentration", stress_concentration),
-        ("n_d", "sides", 2),
-    ):
-        sheet.take(symbol, quantity, value)
-    modulus = youngs_modulus / shear.modulus_ratio(youngs_modulus)
+    sheet, shear = Sheet(found), design["shear"]
+    sheet.read(design, l="cylinder_length", b="sphere_width", D="sphere_diameter", d="diameter")
+    sheet.read(design, k="friction_coefficient", n="rollers", E="youngs_modulus")
+    sheet.read(design, T="output_torque", R="hole_circle_radius")
+    sheet.take("K_sigma", "stress_concentration", design.get("stress_concentration", 1.0))
+    sheet.take("n_d", "sides", 2)
+    length, b, sphere, d, k, young = (sheet.known[name].value for name in "lbDdkE")
+    modulus = young / shear.modulus_ratio(young)
     if isinstance(shear, ByShearModulus):
         sheet.read(shear, G="shear_modulus")
     else:
         sheet.read(shear, mu="poissons_ratio")
         sheet.work("shear_modulus", "G", "E/(2*(1+mu))", modulus, source=SOURCE)
-    end = friction_coefficient * sphere_diameter + sphere_width
-    bent = end * cylinder_length / 4 + cylinder_length**2 / 3
-    bent += sphere_width * (cylinder_length + end) / 4
-    bending = 64 * cylinder_length / (math.pi * youngs_modulus * diameter**4) * bent
+    end = k * sphere + b
+    bending = end * length / 4 + length**2 / 3 + b * (length + end) / 4
+    bending *= 64 * length / (math.pi * young * d**4)
     formula = "64*l/(pi*E*d^4)*((k*D+b)*l/4+l^2/3+b*(l+k*D+b)/4)"
     sheet.work("bending_compliance", "s_M", formula, bending, **_by("9", "compliance"))
-    sheared = 4 * SHEAR_FACTOR / (math.pi * modulus * diameter**2)
-    sheared *= cylinder_length + sphere_width / 2
+    sheared = 4 * SHEAR_FACTOR / (math.pi * modulus * d**2) * (length + b / 2)
     formula = f"4*{SHEAR_FACTOR}/(pi*G*d^2)*(l+b/2)"
     sheet.work("shear_compliance", "s_Q", formula, sheared, **_by("9", "compliance"))
     sheet.work("stiffness", "c", "1/(s_M+s_Q)", **_by("9"))
     sheet.work("relative_stiffness", "c_r", "c/(b*E)", **_by("10"))
     sheet.work("mean_force", "F_m", "T/(2*R*n)", **_by("2"))
-    _sharing(sheet, spacing, rollers)
+    _sharing(sheet, design["spacing"], design["rollers"])
     sheet.work("centre_force", "F_0", "n_d*F_1", **_by("1, 2"))
     sheet.work("bending_moment", "M", "(l+b/2+k*D/2)*F_1", **_by("3, 4"))
     sheet.work("bending_stress", "sigma", "K_sigma*32*M/(pi*d^3)", **_by("12", "compliance"))
     sheet.work("relative_stress", "sigma_r", "sigma/E", **_by("12"))
     if cycle and judged:
-        _fatigue(sheet, cycle, diameter, stress_concentration, **judged)
+        _fatigue(sheet, cycle, **judged)
     return sheet.steps
 
 
@@ -112,17 +92,7 @@ def _sharing(sheet: Sheet, spacing: Spacing, rollers: int) -> None:
     sheet.work("load_nonuniformity", "Psi", "F_1/F_m", **_by("6"))
 
 
-def _fatigue(
-    sheet: Sheet,
-    cycle: CycleFatigue,
-    diameter: float,
-    concentration: float,
-    *,
-    basis: FatigueBasis,
-    tensile_strength: float,
-    yield_strength: float | None,
-    rotates: bool,
-) -> None:
+def _fatigue(sheet: Sheet, cycle: CycleFatigue, *, rotates: bool, **judged: Any) -> None:
     """Add the cycle at the middle sphere; the stress concentration counts once, in the stress or in
     the limit.
     """
@@ -135,12 +105,6 @@ def _fatigue(
         sheet.work("min_stress", "sigma_min", "r_s*sigma_max", cycle.min_stress)
     else:
         sheet.state("min_stress", "sigma_min", "comes_and_goes", value=cycle.min_stress)
-    cycle_steps(
-        sheet,
-        cycle=cycle,
-        basis=basis,
-        diameter=diameter,
-        tensile_strength=tensile_strength,
-        yield_strength=yield_strength,
-        in_stress=concentration > 1,
-    )
+    in_stress = sheet.known["K_sigma"].value > 1
+    diameter = sheet.known["d"].value
+    cycle_steps(sheet, cycle=cycle, diameter=diameter, in_stress=in_stress, **judged)

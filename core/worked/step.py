@@ -27,7 +27,7 @@ class Step:
 
     code: str  # name of a result, or of a value on the way to one
     symbol: str  # name in the formulas of later steps
-    result: float
+    result: float  # value of what is worked out
     # Infix over the names of `values`: + - * / ^ ( ), sqrt sin cos tan asin acos atan abs min max
     # and pi; empty if the number is summed, searched, solved, counted or given.
     formula: str = ""
@@ -68,9 +68,10 @@ class Sheet:
             self.known[symbol] = Amount(quantity, float(value))
 
     def read(self, source: Any, **symbols: str) -> None:
-        """Let symbols stand for fields of a record, by the names of these."""
+        """Let symbols stand for fields of a record or a dictionary, by the names of these."""
         for symbol, name in symbols.items():
-            self.take(symbol, name, getattr(source, name))
+            value = source[name] if isinstance(source, Mapping) else getattr(source, name)
+            self.take(symbol, name, value)
 
     def take_ratio(self, ratio: float) -> str:
         """Factor by which the wave turns faster than the crank; none of a coupling."""

@@ -862,6 +862,7 @@ export default {
     equation: "{source}, eq. ({number})",
     after: "{source}, after eq. ({number})",
     accuracy: "Relative error {error}; {method}.",
+    given: "from {numbers}",
     corrected: "On the print: {words}",
   },
   words: {

@@ -16,6 +16,12 @@ function math(content, said) {
   return html`<math aria-label="${said}"><mrow>${content}</mrow></math>`;
 }
 
+/** The numbers that go into a method. */
+function givenText(names, given, digits) {
+  const list = Object.entries(given).map(([own, value]) => `${plainSymbol(own)} = ${formatQuantity(value, unitOf(names[own]), digits)}`);
+  return list.length > 0 && html`<span class="step-given">${message("worked.given", { numbers: list.join("; ") })}</span>`;
+}
+
 /** `symbol = formula`, `= numbers`, `= value`: a formula each, so that lines break between them. */
 function formulas({ symbol, formula, names, values: given, code, result: value }, digits) {
   const unit = unitOf(code);
@@ -25,7 +31,7 @@ function formulas({ symbol, formula, names, values: given, code, result: value }
   const result = html`<mn>${shown.value}</mn>${unit && html`<mtext>${unit === "°" ? "°" : `\u202f${shown.unit}`}</mtext>`}`;
   const resultSaid = formatQuantity(value, unit, digits);
   const equal = html`<mo form="infix">=</mo>`;
-  if (!formula) return math(html`${name}${equal}${result}`, `${spoken} = ${resultSaid}`);
+  if (!formula) return html`${math(html`${name}${equal}${result}`, `${spoken} = ${resultSaid}`)}${givenText(names, given, digits)}`;
   const tree = parse(formula);
   const values = Object.fromEntries(Object.entries(given).map(([own, amount]) => [own, { value: amount, unit: unitOf(names[own]) }]));
   const numbers = { values, withNumbers: true, digits };
