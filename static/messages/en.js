@@ -862,7 +862,7 @@ export default {
     equation: "{source}, eq. ({number})",
     after: "{source}, after eq. ({number})",
     accuracy: "Relative error {error}; {method}.",
-    given: "from {numbers}",
+    given: "from",
     corrected: "On the print: {words}",
   },
   words: {

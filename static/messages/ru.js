@@ -855,7 +855,7 @@ export default {
     equation: "{source}, ф-ла ({number})",
     after: "{source}, после ф-лы ({number})",
     accuracy: "Относительная погрешность {error}; {method}.",
-    given: "исходя из {numbers}",
+    given: "исходя из",
     corrected: "По сравнению с публикацией исправлено: {words}",
   },
   words: {

@@ -855,7 +855,7 @@ export default {
     equation: "{source}, ф-ла ({number})",
     after: "{source}, після ф-ли ({number})",
     accuracy: "Відносна похибка {error}; {method}.",
-    given: "виходячи з {numbers}",
+    given: "виходячи з",
     corrected: "Порівняно з публікацією виправлено: {words}",
   },
   words: {
