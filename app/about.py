@@ -25,7 +25,7 @@ from app.record import root_path
 from app.registry import CALCULATIONS, NEGLECTED
 from app.sources import ISO_286
 from app.units import api_value, core_name, from_si, to_si
-from app.worked import api_name
+from app.worked import VALUES
 from core.bearings import BEARINGS, MAKERS, NamedBearing, Ratings
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, NOT_CONSIDERED
@@ -679,7 +679,7 @@ def _words() -> Packed:
         verified=VERIFIED,
         not_considered=NOT_CONSIDERED,
         methods=METHODS,
-        worked_values={api_name(code): text for code, text in worked_words.VALUES.items()},
+        worked_values=VALUES,
         worked_notes=worked_words.NOTES,
         worked_errata=worked_words.ERRATA,
         worked_sources=worked_words.SOURCES,

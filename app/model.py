@@ -716,10 +716,11 @@ class StepOut(BaseModel):
     method: Maybe[str] = Field(
         default=None,
         description="Way in which the value was obtained if there is no formula, by code: "
-        "searched, solved, counted or given.",
+        "summed, searched, solved, counted or given.",
     )
     names: dict[str, str] = Field(
-        description="Quantity behind each name of the formula, with its unit at the end."
+        description="Quantity behind each name of the formula, or each number that goes into the "
+        "method, with its unit at the end."
     )
     values: dict[str, float] = Field(
         description="Value of each name of the formula, in the unit of the quantity."

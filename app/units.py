@@ -168,6 +168,11 @@ def register(model: type[BaseModel]) -> None:
         _API_NAMES.setdefault(core_name(name), name)
 
 
+def field_of(quantity: str) -> str:
+    """Name of the field of request or answer that has a quantity of core."""
+    return _API_NAMES[quantity]
+
+
 NAMING = ("field", "other")
 """Parameters of a refusal or notice that are names of fields."""
 

@@ -257,7 +257,7 @@ class ContactFields(RequestModel, group="contact"):
     """Name in the table of materials, or values."""
     hole_material: Material = quantity("Hole material", default="steel_through_hardened")
     """Name in the table of materials, or values."""
-    dynamic_factor: Size = quantity("Dynamic factor", "K_A", default=1.0, step=0.05)
+    dynamic_factor: Size = quantity("Application factor", "K_A", default=1.0, step=0.05)
     """Factor on the force for the dynamic load."""
     distribution_factor: Size = distribution_factor()
 

@@ -221,7 +221,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
             }
         return roller_steps(
             found=found,
-            **self.design,
+            design=self.design,
             cycle=cycle if isinstance(cycle, CycleFatigue) else None,
             judged=judged,
         )

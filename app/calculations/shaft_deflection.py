@@ -224,7 +224,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         return shaft_steps(
             load=load,
             found=found,
-            **self.shaft,
+            shaft=self.shaft,
             strength=self.strength(found),
             judged={
                 "basis": self.fatigue and self.fatigue.section(),

@@ -53,7 +53,7 @@ class WorkPoint:
 
 @dataclass(frozen=True, slots=True)
 class Reference:
-    """What the errors are measured against."""
+    """Value against which errors are measured."""
 
     method: str  # a key of `core.errors.METHODS`
     digits: int = REFERENCE_DIGITS  # with which it was calculated

@@ -1,18 +1,14 @@
 """Worked steps of the strength of the pins."""
 
 from contextlib import suppress
+from typing import Any
 
-import numpy as np
-
-from core.arrays import FloatArray
 from core.design.results import Results
-from core.errors import UNKNOWN, if_known, required
-from core.output.pin_strength import PinDeflection, PinStrength
+from core.errors import UNKNOWN, required
+from core.output.pin_strength import PinStrength
 from core.worked.fatigue import cycle_steps, finite_life
-from core.worked.members import take_speed, take_torque
-from core.worked.sharing import Shares, beam_of, ideal_turn, take_beam, unit_steps
+from core.worked.members import take_speed
 from core.worked.step import Sheet, Step
-from core.worked.turn import IdealTurn, Position, is_at
 
 
 def static_step(
@@ -21,38 +17,19 @@ def static_step(
     results: Results,
     code: str,
     symbol: str,
-    value: float | None,
-    limit: str,
-    load: str,
+    over: tuple[str, str],
     share: float,
-    **said: str,
+    **said: Any,
 ) -> None:
-    """Step of a static safety: a limit over a load, under the torque of static strength.
-
-    Parameters
-    ----------
-    sheet : Sheet
-        With limit and load.
-    results : Results
-        Results of the design.
-    code, symbol : str
-        What is worked out.
-    value : float or None
-        The safety; no step without.
-    limit, load : str
-        Their symbols.
-    share : float
-        The torque of static strength over that of the load.
-    **said
-        Other fields of the step.
-    """
+    """Add a static safety: a limit over a load that grows by `share` to the peak torque."""
+    limit, load = over
     if share == 1:
-        sheet.work(code, symbol, value, f"{limit}/{load}", **said)
+        sheet.work(code, symbol, f"{limit}/{load}", **said)
     elif results.solved or results.design.bolted:  # a squeeze does not grow
-        sheet.state(code, symbol, value, "under_peak", **said)
+        sheet.state(code, symbol, "under_peak", limit, **said)
     else:
         sheet.take("k", "torque_share", share)
-        sheet.work(code, symbol, value, f"{limit}/(k*{load})", note="peak_torque", **said)
+        sheet.work(code, symbol, f"{limit}/(k*{load})", note="peak_torque", **said)
 
 
 def strength_steps(*, results: Results, found: PinStrength, deflection: bool) -> list[Step]:
@@ -62,57 +39,65 @@ def strength_steps(*, results: Results, found: PinStrength, deflection: bool) ->
     ----------
     results : Results
         Results of a design with a pin.
-    found : PinStrength
-        Its strength.
     deflection : bool
-        Whether its deflection is wanted.
+        True if deflection and slope are wanted.
     """
-    sheet, pin = Sheet(), results.bent_pin
-    sheet.take("d", "diameter", pin.diameter)
+    sheet, pin, design = Sheet(found), results.bent_pin, results.design
+    sheet.read(pin, d="diameter")
     sheet.take("d_i", "bore_diameter", pin.bore_diameter or None)
-    sheet.state("peak_force", "F_max", found.peak_force, "shared")
-    sheet.state("peak_moment_position", "x", found.peak_moment_position, "section")
-    sheet.state("peak_moment", "M", found.peak_moment, "section")
+    sheet.take("b", "contact_length", design.pin_length)
+    sheet.take("L", "span", None if pin.support == "cantilever" else pin.span)
     formula, sheared = "32*M/(pi*d^3)", "16*V/(3*pi*d^2)"
     if pin.bore_diameter:
         formula = "32*M*d/(pi*(d^4-d_i^4))"
         sheared = "16*V/(3*pi*(d^2-d_i^2))*(1+d*d_i/(d^2+d_i^2))"
-    sheet.work("peak_bending_stress", "sigma_b", found.peak_bending_stress, formula)
-    sheet.state("peak_shear_force", "V", found.peak_shear_force, "section")
-    sheet.work("peak_shear_stress", "tau", found.peak_shear_stress, sheared)
-    sheet.state("peak_equivalent_stress", "sigma_v", found.peak_equivalent_stress, "equivalent")
-    sheet.take("R_e", "yield_strength", pin.material.yield_strength)
+    sheet.state("peak_force", "F_max", "shared")
+    sheet.state("peak_moment_position", "x", "section", "b L")
+    sheet.state("peak_moment", "M", "section", "F_max x b L")
+    sheet.work("peak_bending_stress", "sigma_b", formula)
+    sheet.state("peak_shear_force", "V", "section", "F_max b L")
+    sheet.work("peak_shear_stress", "tau", sheared)
+    sheet.state("peak_equivalent_stress", "sigma_v", "equivalent", "sigma_b tau")
+    sheet.read(pin.material, R_e="yield_strength")
     static_step(
         sheet,
         results=results,
         code="static_safety_factor",
         symbol="S",
-        value=if_known(lambda: found.static_safety_factor),
-        limit="R_e",
-        load="sigma_v",
-        share=results.design.static_share,
+        over=("R_e", "sigma_v"),
+        share=design.static_share,
     )
-    if results.design.fatigue:
+    if design.fatigue:
         with suppress(*UNKNOWN):
             _fatigue(sheet, results, found)
     if deflection:
-        _deflection(sheet, results, found.deflection)
+        sheet.read(pin.material, E="youngs_modulus", nu="poissons_ratio")
+        bent = found.deflection
+        for code, symbol, value, satellite in (
+            ("deflection", "w", bent.deflection, bent.satellite),
+            ("slope", "theta", bent.slope, bent.slope_satellite),
+        ):
+            where = {"params": {"satellite": satellite}}
+            sheet.state(code, symbol, "deflected", "F_max d d_i b L E nu", value, **where)
     return sheet.steps
 
 
 def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
-    cycle, pin, basis = found.fatigue, results.bent_pin, results.design.fatigue
-    sheet.state("position", "x", cycle.position, "worst_cycle")
-    sheet.state("direction", "chi", cycle.direction, "worst_cycle")
-    sheet.state("max_stress", "sigma_max", cycle.max_stress, "worst_cycle")
-    sheet.state("min_stress", "sigma_min", cycle.min_stress, "worst_cycle")
-    ratio = results.design.mechanism.ratio
+    """Add the worst stress cycle of the pins, its safety and life."""
+    cycle, pin, design = found.fatigue, results.bent_pin, results.design
+    basis, ratio = design.fatigue, design.mechanism.ratio
+    sheet.state("position", "x", "worst_cycle", value=cycle.position)
+    sheet.state("direction", "chi", "worst_cycle", value=cycle.direction)
+    sheet.state("max_stress", "sigma_max", "worst_cycle", value=cycle.max_stress)
+    sheet.state("min_stress", "sigma_min", "worst_cycle", value=cycle.min_stress)
+    if cycle.short or cycle.life is not None:
+        take_speed(sheet, results=results)
+    wave = sheet.take_ratio(ratio)
 
     def finite() -> None:
-        life = results.design.life_of(basis)
-        take_speed(sheet, results=results)
-        cycles = results.design.loads_over(life)
-        finite_life(sheet, cycle=cycle, ratio=ratio, life=life, cycles=cycles)
+        life = design.life_of(basis)
+        cycles = design.loads_over(life)
+        finite_life(sheet, cycle=cycle, wave=wave, life=life, cycles=cycles)
 
     cycle_steps(
         sheet,
@@ -124,95 +109,5 @@ def _fatigue(sheet: Sheet, results: Results, found: PinStrength) -> None:
         finite=finite,
     )
     if cycle.life is not None:
-        wave = sheet.take_ratio(ratio)
-        take_speed(sheet, results=results)
-        formula = f"2*pi*N/(n_1{wave})"
-        sheet.work("fatigue_life", "L", cycle.life, formula, note="turns_in_radians")
-
-
-def _deflection(sheet: Sheet, results: Results, found: PinDeflection) -> None:
-    """Deflection and slope in the middle of satellites, by unit forces of those that load the pin
-    there.
-    """
-    parts = {
-        "deflection": ("w", found.satellite - 1, found.deflection),
-        "slope": ("theta", found.slope_satellite - 1, found.slope),
-    }
-    turn = None if results.design.tied else ideal_turn(sheet, results=results)
-    if turn is None:
-        for code, (symbol, satellite, value) in parts.items():
-            sheet.state(code, symbol, value, "deflected", params={"satellite": satellite + 1})
-        return
-    take_beam(sheet, results=results)
-    sheet.take("K_A", "dynamic_factor", results.design.load_factor)
-    sheet.take("K_alpha", "distribution_factor", results.design.distribution_factor)
-    take_torque(
-        sheet, members=results.design.members, output_torque=results.design.load.output_torque
-    )
-    sheet.take("R", "pin_circle_radius", results.design.load.pin_circle_radius)
-    for code, (symbol, satellite, value) in parts.items():
-        _bent(sheet, results, turn, code, symbol, satellite, value)
-
-
-def _bent(
-    sheet: Sheet,
-    results: Results,
-    turn: IdealTurn,
-    code: str,
-    symbol: str,
-    satellite: int,
-    value: float,
-) -> None:
-    pin, beam = results.bent_pin, beam_of(results)
-    x, places = pin.satellite_positions[satellite], np.array(pin.satellite_positions)
-    effect = np.array([getattr(beam, code)(x, z) for z in places])
-
-    def on_pins(position: Position) -> FloatArray:
-        """What each pin suffers, shape (n, N)."""
-        parts = effect[position.satellite] * position.force * np.exp(1j * position.angle)
-        own = np.zeros((len(parts), results.design.mechanism.pins), dtype=complex)
-        for column, n in enumerate(position.pin.tolist()):
-            own[:, n] += parts[:, column]
-        return np.abs(own)
-
-    def most(position: Position) -> FloatArray:
-        found: FloatArray = on_pins(position).max(axis=1)
-        return found
-
-    at = turn.worst(most)
-    if not is_at(at, measure=most, value=value):
-        sheet.state(code, symbol, value, "deflected", params={"satellite": satellite + 1})
-        return
-    n = int(on_pins(at)[0].argmax())
-    shares = Shares(sheet, turn, at)
-    pairs = [pair for pair in shares.pairs if pair[1] == n]
-    letter = "c" if code == "deflection" else "s"
-    units, forces = [], []
-    for j, _, angle in pairs:
-        units.append(
-            unit_steps(sheet, results=results, at=satellite, by=j)[0 if letter == "c" else 1]
-        )
-        forces.append(f"F_{j + 1}")
-        column = shares.pairs.index((j, n, angle))
-        load = results.design.load
-        torque = results.design.load_factor * results.design.pin_torque
-        force = torque / load.pin_circle_radius * results.design.distribution_factor
-        sheet.work(
-            "pin_force",
-            forces[-1],
-            force * float(at.force[0, column]),
-            f"K_A*K_alpha*T/R*{shares.one(shares.pairs[column])}",
-            note="alike",
-        )
-    if len(pairs) == 1:
-        sheet.work(code, symbol, value, f"abs({units[0]})*{forces[0]}")
-        return
-    terms = [
-        (unit, force, f"gamma_{j + 1}_{n + 1}")
-        for unit, force, (j, _, _) in zip(units, forces, pairs, strict=True)
-    ]
-    along, across = (
-        "+".join(f"{unit}*{force}*{way}({angle})" for unit, force, angle in terms)
-        for way in ("cos", "sin")
-    )
-    sheet.work(code, symbol, value, f"sqrt(({along})^2+({across})^2)")
+        said = {"note": "turns_in_radians"}
+        sheet.work("fatigue_life", "L", f"2*pi*N/(n_1{wave})", cycle.life, **said)

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from core.design.results import Results
-from core.errors import UNKNOWN, NotKnown
+from core.errors import UNKNOWN
 from core.hertz import effective_modulus
 from core.ring.involute import InvolutePair
 from core.ring.loss import RingLoss
@@ -20,49 +20,37 @@ FELT = 1e-6
 """Backlash over the radius of the base circle below which it is what decimals leave."""
 
 
-def _disc(sheet: Sheet, disc: CycloidDisc) -> None:
-    """Sizes of discs and ring, and of the tool."""
-    change = disc.modification
-    for symbol, quantity, value in (
-        ("z", "satellite_teeth", disc.satellite_teeth),
-        ("z_p", "ring_teeth", disc.pins),
-        ("e", "eccentricity", disc.eccentricity),
-        ("R_p", "ring_pin_circle_radius", disc.ring_pin_circle_radius),
-        ("r_p", "ring_pin_radius", disc.ring_pin_radius),
-        ("Delta_e", "equidistant", change.equidistant),
-        ("Delta_p", "pin_circle", change.pin_circle),
-        ("delta_r", "rotation", change.rotation),
-    ):
-        sheet.take(symbol, quantity, value)
-    sheet.work("shortening_coefficient", "K_1", disc.shortening_coefficient, "e*z_p/R_p")
+def _sheet(disc: CycloidDisc, found: object = None) -> Sheet:
+    """Sheet on which sizes of discs and ring are known."""
+    sheet = Sheet(found or disc)
+    sheet.read(disc, z="satellite_teeth", e="eccentricity")
+    sheet.read(disc, R_p="ring_pin_circle_radius", r_p="ring_pin_radius")
+    sheet.read(disc.modification, Delta_e="equidistant", Delta_p="pin_circle", delta_r="rotation")
+    sheet.take("z_p", "ring_teeth", disc.pins)
+    value = disc.shortening_coefficient
+    sheet.work("shortening_coefficient", "K_1", "e*z_p/R_p", value)
+    return sheet
 
 
 def _tool(sheet: Sheet, disc: CycloidDisc) -> None:
-    sheet.work("tool_circle_radius", "R_m", disc.tool_circle_radius, "R_p+Delta_p")
-    sheet.work("tool_radius", "r_m", disc.tool_radius, "r_p+Delta_e")
-    sheet.work("tool_shortening", "K_m", disc.shortening, "e*z_p/R_m")
+    """Add the sizes of the tool."""
+    sheet.work("tool_circle_radius", "R_m", "R_p+Delta_p", disc.tool_circle_radius)
+    sheet.work("tool_radius", "r_m", "r_p+Delta_e", disc.tool_radius)
+    sheet.work("tool_shortening", "K_m", "e*z_p/R_m", disc.shortening)
 
 
 def disc_steps(disc: CycloidDisc) -> list[Step]:
-    """Steps of the sizes of cycloid discs.
-
-    Parameters
-    ----------
-    disc : CycloidDisc
-        The discs.
-    """
-    sheet, pins = Sheet(), disc.pins
-    _disc(sheet, disc)
+    """Steps of the sizes of cycloid discs."""
+    sheet, pins = _sheet(disc), disc.pins
     _tool(sheet, disc)
     formula = "R_m*(1+K_m)^2/(1+z_p*K_m)"
     if disc.shortening > (pins - 2) / (2 * pins - 1):
         formula = "R_m*sqrt(27*(1-K_m^2)*z)/(z_p+1)^1.5"
-    sheet.work("min_path_radius", "rho_min", disc.min_path_radius, formula, note="sharpest")
-    sheet.work("undercut_margin", "S_u", disc.undercut_margin, "rho_min/r_m")
-    sheet.work("tip_radius", "r_a", disc.tip_radius, "R_m+e-r_m")
-    sheet.work("root_radius", "r_f", disc.root_radius, "R_m-e-r_m")
-    formula = "R_m*(1-K_m)^2/(z_p*K_m-1)+r_m"
-    sheet.work("min_concave_radius", "rho_v", disc.min_concave_radius, formula)
+    sheet.work("min_path_radius", "rho_min", formula, note="sharpest")
+    sheet.work("undercut_margin", "S_u", "rho_min/r_m")
+    sheet.work("tip_radius", "r_a", "R_m+e-r_m")
+    sheet.work("root_radius", "r_f", "R_m-e-r_m")
+    sheet.work("min_concave_radius", "rho_v", "R_m*(1-K_m)^2/(z_p*K_m-1)+r_m")
     return sheet.steps
 
 
@@ -71,27 +59,21 @@ def ideal_ring_steps(*, disc: CycloidDisc, output_torque: float, satellites: int
 
     Parameters
     ----------
-    disc : CycloidDisc
-        The discs.
     output_torque : float
         Torque of all discs, N*m.
-    satellites : int
-        How many there are.
     """
-    sheet, change = Sheet(), disc.modification
-    each = output_torque / satellites
-    found = ideal_mesh(disc=disc, disc_torque=each)
-    _disc(sheet, disc)
+    change, each = disc.modification, output_torque / satellites
+    sheet = _sheet(disc, ideal_mesh(disc=disc, disc_torque=each))
     sheet.take("T", "output_torque", output_torque)
     sheet.take("K", "satellites", satellites)
-    sheet.work("satellite_torque", "T_j", each, "T/K")
-    sheet.work("peak_force", "F_max", found.peak_force, "4*T_j/(e*z*z_p)", note="many_ring_pins")
-    sheet.work("mean_sum_force", "F_sum", found.mean_sum_force, "4*T_j/(pi*e*z)")
+    sheet.work("satellite_torque", "T_j", "T/K", each)
+    sheet.work("peak_force", "F_max", "4*T_j/(e*z*z_p)", note="many_ring_pins")
+    sheet.work("mean_sum_force", "F_sum", "4*T_j/(pi*e*z)")
     root = math.sqrt(1 - disc.shortening_coefficient**2)
     formula = "2*(Delta_e-Delta_p*sqrt(1-K_1^2))/(e*z)+2*delta_r"
     if change.equidistant > 0 and change.pin_circle > root * change.equidistant:
         formula = "2*K_1*sqrt(Delta_e^2-Delta_p^2)/(e*z)+2*delta_r"
-    sheet.work("backlash", "j", found.backlash, formula, note="many_ring_pins")
+    sheet.work("backlash", "j", formula, note="many_ring_pins")
     return sheet.steps
 
 
@@ -102,22 +84,16 @@ def pressure_steps(
 
     Parameters
     ----------
-    mesh : CycloidMesh
-        The mesh.
-    crank_angle : float
-        Crank angle, rad.
     force : array, K x z_p
         Forces of all pairs there, N.
     pressure : float
-        The pressure, Pa.
+        Largest pressure there, Pa.
     """
-    first, second = mesh.pin_material, mesh.disc_material
-    sheet, disc = Sheet(), mesh.disc
-    _disc(sheet, disc)
+    disc = mesh.disc
+    sheet = _sheet(disc)
     _tool(sheet, disc)
-    k, pins = disc.shortening, np.arange(disc.pins)
-    phases = np.array(mesh.phases)[:, None]
-    angle = crank_angle + phases + 2 * math.pi * pins / disc.pins
+    k, phases = disc.shortening, np.array(mesh.phases)[:, None]
+    angle = crank_angle + phases + 2 * math.pi * np.arange(disc.pins) / disc.pins
     slope = np.sqrt(1 + k**2 - 2 * k * np.cos(angle))
     bend = 1 + disc.pins * k**2 - (disc.pins + 1) * k * np.cos(angle)
     path = disc.tool_circle_radius * slope**3 / bend
@@ -126,25 +102,24 @@ def pressure_steps(
     carried = np.array(force)
     at = np.unravel_index(int((carried / reduced).argmax()), carried.shape)
     satellite, pin = (int(each) for each in at)
-    where = {"params": {"satellite": satellite + 1, "pin": pin + 1}}
     sheet.take("phi", "crank_angle", crank_angle)
     sheet.take("alpha_j", "crank_angle", float(phases[satellite, 0]))
     sheet.take("k", "pin", pin + 1)
-    sheet.work(
-        "pin_angle", "a", angle[at], "phi+alpha_j+2*pi*(k-1)/z_p", note="hardest_pin", **where
-    )
-    sheet.work("path_slope", "S", slope[at], "sqrt(1+K_m^2-2*K_m*cos(a))")
+    said = {"note": "hardest_pin", "params": {"satellite": satellite + 1, "pin": pin + 1}}
+    sheet.work("pin_angle", "a", "phi+alpha_j+2*pi*(k-1)/z_p", angle[at], **said)
+    sheet.work("path_slope", "S", "sqrt(1+K_m^2-2*K_m*cos(a))", slope[at])
     formula = "R_m*S^3/(1+z_p*K_m^2-(z_p+1)*K_m*cos(a))"
-    sheet.work("path_radius", "rho_W", path[at], formula)
+    sheet.work("path_radius", "rho_W", formula, path[at])
     if size[at] != disc.ring_pin_radius:
         sheet.take("r_p", "ring_pin_radius", size[at])
-    sheet.work("reduced_radius", "rho", reduced[at], "1/(1/r_p+1/(rho_W-r_m))")
-    take_materials(sheet, first=first, second=second)
-    modulus = effective_modulus(first=first, second=second)
-    sheet.work("effective_modulus", "E_m", modulus, MODULUS)
-    sheet.take("b", "contact_length", mesh.contact_length)
-    sheet.state("ring_pin_force", "F", carried[at], "solved")
-    sheet.work("max_pressure", "p_0", pressure, "sqrt(F*E_m/(pi*b*rho))", source="johnson")
+    sheet.work("reduced_radius", "rho", "1/(1/r_p+1/(rho_W-r_m))", reduced[at])
+    materials = mesh.pin_material, mesh.disc_material
+    take_materials(sheet, *materials)
+    modulus = effective_modulus(first=materials[0], second=materials[1])
+    sheet.work("effective_modulus", "E_m", MODULUS, modulus)
+    sheet.read(mesh, b="contact_length")
+    sheet.state("ring_pin_force", "F", "solved", value=carried[at])
+    sheet.work("max_pressure", "p_0", "sqrt(F*E_m/(pi*b*rho))", pressure, source="johnson")
     return sheet.steps
 
 
@@ -155,71 +130,54 @@ def ring_loss_steps(
 
     Parameters
     ----------
-    loss : RingLoss
-        The loss.
-    coefficient : float
-        Friction coefficient.
     torque : float
-        On the output, N*m.
+        Torque on the output, N*m.
     teeth : int
         Lobes of a disc.
     input_speed : float or None
-        Of the crank, rad/s.
+        Speed of the crank, rad/s.
     """
-    sheet = Sheet()
+    sheet = Sheet(loss)
     sheet.take("mu", "friction_coefficient", coefficient)
     sheet.take("T", "output_torque", torque)
     sheet.take("z", "satellite_teeth", teeth)
     sheet.take("n_1", "input_speed", input_speed)
-    sheet.state("loss_per_friction", "q", loss.loss_per_friction, "over_turn")
-    sheet.work("loss_ratio", "L", loss.loss_ratio, "mu*q")
-    sheet.work("efficiency", "eta", loss.efficiency, "1/(1+mu*q)")
-    with suppress(NotKnown):
-        sheet.work("mean_loss", "P", loss.mean_loss, "L*T*n_1/z", note="turns_in_radians")
+    sheet.state("loss_per_friction", "q", "over_turn")
+    sheet.work("loss_ratio", "L", "mu*q")
+    sheet.work("efficiency", "eta", "1/(1+mu*q)")
+    sheet.work("mean_loss", "P", "L*T*n_1/z", note="turns_in_radians")
     return sheet.steps
 
 
 def involute_steps(pair: InvolutePair) -> list[Step]:
-    """Steps of how involute teeth of satellite and ring mesh.
-
-    Parameters
-    ----------
-    pair : InvolutePair
-        The teeth.
-    """
-    sheet, teeth, line = Sheet(), pair.teeth, pair.line
-    for symbol, quantity, value in (
-        ("z_s", "satellite_teeth", teeth.satellite_teeth),
-        ("z_r", "ring_teeth", teeth.ring_teeth),
-        ("m", "module", teeth.module),
-        ("alpha", "reference_pressure_angle", line.pressure_angle),
-        ("e", "eccentricity", line.eccentricity),
-        ("x_s", "satellite_profile_shift", teeth.satellite_profile_shift),
-        ("x_r", "ring_profile_shift", teeth.ring_profile_shift),
-        ("h_s", "satellite_addendum", teeth.satellite_addendum),
-        ("h_r", "ring_addendum", teeth.ring_addendum),
-    ):
-        sheet.take(symbol, quantity, float(value))
+    """Steps of how involute teeth of satellite and ring mesh."""
+    sheet, teeth, line = Sheet(pair), pair.teeth, pair.line
+    sheet.read(teeth, z_s="satellite_teeth", z_r="ring_teeth", m="module")
+    sheet.read(teeth, x_s="satellite_profile_shift", x_r="ring_profile_shift")
+    sheet.read(teeth, h_s="satellite_addendum", h_r="ring_addendum")
+    sheet.read(line, e="eccentricity")
+    sheet.take("alpha", "reference_pressure_angle", line.pressure_angle)
     angle = "acos(m*(z_r-z_s)*cos(alpha)/(2*e))"
-    sheet.work("operating_pressure_angle", "alpha_w", line.angle, angle)
-    sheet.state("eccentricity_without_backlash", "e_0", pair.eccentricity_without_backlash, "root")
-    formula = (
-        "m*cos(alpha)*(2*(x_r-x_s)*tan(alpha)"
-        "+(z_r-z_s)*((tan(alpha)-alpha)-(tan(alpha_w)-alpha_w)))"
-    )
+    sheet.work("operating_pressure_angle", "alpha_w", angle, line.angle)
+    sheet.state("eccentricity_without_backlash", "e_0", "root", "m z_s z_r x_s x_r alpha")
     base = line.satellite_base
-    sheet.work("base_radius", "r_b", base, "m*z_s*cos(alpha)/2")
+    sheet.work("base_radius", "r_b", "m*z_s*cos(alpha)/2", base)
     if abs(pair.normal_backlash) > FELT * base:
-        sheet.work("normal_backlash", "j_n", pair.normal_backlash, formula)
-        sheet.work("backlash", "j", pair.backlash, "j_n/r_b")
+        sheet.work(
+            "normal_backlash",
+            "j_n",
+            "m*cos(alpha)*(2*(x_r-x_s)*tan(alpha)"
+            "+(z_r-z_s)*((tan(alpha)-alpha)-(tan(alpha_w)-alpha_w)))",
+        )
+        sheet.work("backlash", "j", "j_n/r_b")
     else:
-        sheet.state("normal_backlash", "j_n", pair.normal_backlash, "felt")
-    sheet.work("satellite_tip_radius", "r_s", teeth.satellite_tip, "m*(z_s/2+x_s+h_s)")
-    sheet.work("ring_tip_radius", "r_r", teeth.ring_tip, "m*(z_r/2+x_r-h_r)")
+        sheet.state("normal_backlash", "j_n", "felt")
+    sheet.work("satellite_tip_radius", "r_s", "m*(z_s/2+x_s+h_s)", teeth.satellite_tip)
+    sheet.work("ring_tip_radius", "r_r", "m*(z_r/2+x_r-h_r)", teeth.ring_tip)
     start = "(z_r*sqrt((2*r_r/(m*z_r*cos(alpha)))^2-1)-(z_r-z_s)*tan(alpha_w))/z_s"
-    sheet.work("start_roll_satellite", "tau_1", pair.start_roll, start)
-    sheet.work("end_roll_satellite", "tau_2", pair.end_roll, "sqrt((r_s/r_b)^2-1)")
-    sheet.work("contact_ratio", "epsilon", pair.contact_ratio, "z_s*(tau_2-tau_1)/(2*pi)")
+    sheet.work("start_roll_satellite", "tau_1", start, pair.start_roll)
+    sheet.work("end_roll_satellite", "tau_2", "sqrt((r_s/r_b)^2-1)", pair.end_roll)
+    sheet.work("contact_ratio", "epsilon", "z_s*(tau_2-tau_1)/(2*pi)")
     return sheet.steps
 
 
@@ -230,16 +188,16 @@ def ring_steps(results: Results) -> list[Step]:
     Parameters
     ----------
     results : Results
-        Results of a design of which it is solved.
+        Results of a design whose mesh is solved.
     """
     if results.design.gear.kind == "involute":
         return involute_steps(results.ring.pair)
     turn, design = results.ring.working[0], results.design
-    steps = disc_steps(turn.mesh.disc)
+    steps, place = disc_steps(turn.mesh.disc), turn.hardest_place[1]
     pressed = pressure_steps(
         mesh=turn.mesh,
-        crank_angle=turn.hardest_place[1],
-        force=turn.forces_at(turn.hardest_place[1]),
+        crank_angle=place,
+        force=turn.forces_at(place),
         pressure=turn.max_pressure,
     )
     steps += [each for each in pressed if each not in steps]

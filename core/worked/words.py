@@ -1,87 +1,25 @@
-"""What worked steps say, in English, by code."""
-
-VALUES = {
-    "ratio": "Ratio",
-    "output_torque": "Output torque",
-    "pin_torque": "Torque on the pins",
-    "bearing_speed": "Speed of the crank against the bearing’s seat",
-    "turning_speed": "Speed of the crank against the ring",
-    "pressure_angle": "Pressure angle of the pair of the peak",
-    "line_load": "Line load",
-    "load_parameter": "Load parameter",
-    "loads": "Loads over the life",
-    "life_factor": "Life factor",
-    "life_cycles": "Cycles over the life",
-    "strength_fraction": "Share of the tensile strength at 1000 cycles",
-    "load_parameter_again": "The same from the half-angle",
-    "shear_modulus": "Shear modulus",
-    "bending_compliance": "Compliance in bending",
-    "shear_compliance": "Compliance in shear",
-    "scale": "Length A of the contact lines",
-    "full_arm_load": "Line load where the arm is R_C",
-    "centrifugal_force": "Centrifugal force of a satellite",
-    "counterweight_position": "Place of a counterweight",
-    "rotor_mass": "Mass of what turns",
-    "neuber_root": "Root of Neuber's length, in √mm",
-    "rating_share": "Share of the rating that is left",
-    "shear_coefficient": "Shear coefficient of the bored pin",
-    "unit_shear": "Shear force at the carrier by a unit force",
-    "unit_moment": "Moment at the carrier by a unit force",
-    "unit_deflection": "Deflection by a unit force",
-    "unit_slope": "Slope by a unit force",
-    "pin_force": "Force of the satellite on the pin",
-    "satellite_torque": "Torque of the satellite",
-    "pins_force": "Resultant of the pins on the satellite",
-    "across_force": "Force of the ring across the crank",
-    "notch_strength": "Tensile strength within the range of the fit",
-    "decades_left": "Part of the decades left to a million cycles",
-    "logarithm": "Natural logarithm",
-    "mean_rim_pressure": "Mean pressure over the whole rim, over w/R_m",
-    "middle_pressure": "Pressure in the middle, over w/R_m",
-    "mismatch_alpha": "Dundurs' α",
-    "mismatch_beta": "Dundurs' β",
-    "shortening": "Shortening of the cycloid",
-    "reaction_part": "Part of the reaction",
-    "tool_circle_radius": "Radius of the tool's circle",
-    "tool_radius": "Radius of the tool",
-    "tool_shortening": "Shortening coefficient of the tool's path",
-    "pin_angle": "Angle from the crank to the pin",
-    "path_slope": "Slope of the path over its circle",
-    "path_radius": "Radius of curvature of the path",
-    "ring_pin_force": "Force on the pin of the ring",
-    "base_radius": "Base radius of the satellite",
-    "eccentricity_without_backlash": "Eccentricity without backlash",
-    "normal_backlash": "Backlash along the normal",
-    "contact_ratio": "Contact ratio",
-    "start_roll_satellite": "Tangent of the satellite's pressure angle at the start of the path",
-    "satellite_tip_radius": "Tip radius of the satellite",
-    "ring_tip_radius": "Tip radius of the ring",
-    "end_roll_satellite": "Tangent of the satellite's pressure angle at the end of the path",
-}
-"""Values on the way to a result, by the code of their step."""
+"""English words of worked steps, by code."""
 
 NOTES = {
     "working": "A pair drives while the cosine of its pressure angle is positive: half of its "
     "period.",
     "repeats": "m: how many times the phases of the satellites repeat within a sector of the pins.",
-    "counted": "Counted between the switching angles. Neighbouring phases lie at most {gap_deg} "
-    "apart; from 180° on there is a dead centre.",
+    "counted": "Counted between the switching angles.",
     "half": "Every pair drives half of the time.",
     "search": "Between neighbouring switching angles the same pairs drive and every force is "
     "smooth. The ends and the stationary points of every such segment are compared; the largest "
     "force and its first place are these.",
     "pressure_angle": "Satellite {satellite}, pin {pin}, at the crank angle of the peak; k takes "
     "whole turns away.",
-    "driving": "The sum runs over the {count} pairs that drive there, each with its pressure "
-    "angle.",
+    "driving": "Σ cos¹⁺ᵛ of the pressure angles, over the {count} pairs that drive at the crank "
+    "angle of the peak.",
     "least_support": "The sum runs over the driving pairs at the switching angle where it is "
     "smallest.",
     "of_shafts": "Two shafts that pins couple turn alike, and the wave with them.",
     "powers_out": "What leaves by the members whose torque turns against their speed.",
     "willis": "Of one planet gear: n_in + u·n_c = (u + 1)·n_r.",
     "narrow": "Hertz's theory asks for a contact much narrower than the pin.",
-    "conformal_angle": "Found by Newton's method so that λ before and after agree.",
-    "integral_equation": "From the integral equation of a disc in a hole, for this λ, α and β.",
+    "integral_equation": "By the equation of a disc in a hole, solved for λ, α and β.",
     "edge_tension": "Hoop tension in the rim of the hole at the ends of the contact.",
     "governs_hertz": "Hertz's pressure governs.",
     "governs_conformal": "The conformal pressure governs: Hertz's is more than 1 % too low.",
@@ -94,23 +32,22 @@ NOTES = {
     "in_kpsi": "R_k is a thousand pounds a square inch; the ratio is held to 70 to 200.",
     "smaller": "The smaller of the two. A ratio of pressures: the load reserve is its square as "
     "long as Hertz's pressure governs.",
-    "mean_gap": "That of the tolerance with the same mean gap.",
+    "mean_gap": "c·χ/F_m by the tolerance of equal mean gap: χ = Σ(g − g_min)/(4·(n − 1)).",
     "sharing": "The rollers close in the order of their gaps; as many carry as the force needs.",
-    "gaps": "The sum runs over the gaps of the rollers that carry. A tolerance means one roller "
-    "ahead of the others by 4χ.",
+    "gaps": "(n·F_m/c + Σg)/m: the sum runs over the gaps of the rollers that carry. A tolerance "
+    "means one roller ahead of the others by 4χ.",
     "quadrature": "∫ √(1 + (ρ·A·sin φ₁ / (A² + 2·A·z·cos φ₁ + z²))²) dz between its ends. It has "
     "no pole; here it is computed numerically. The first roller; the others go the same way.",
-    "others": "The sum runs over all rollers.",
+    "others": "The sum over all rollers.",
     "flank": "The first roller; k half-turns lead to the flank that carries.",
     "no_axial": "The normals of the rollers have no part along the axis.",
     "least_arm": "At the end of a line where the arm is smallest.",
-    "stretches": "The sums run over the stretches of one diameter, from one x to the next, "
-    "counted from C and parted at B.",
+    "stretches": "Mohr's integral, summed over the stretches of one diameter.",
     "smallest": "The smallest diameter everywhere.",
     "section": "Forces of all satellites added as vectors in every section and at every crank "
     "angle; the largest is this.",
-    "equivalent": "By Mises, of bending and shear at the same point; over the section, the pin "
-    "and the turn the largest.",
+    "equivalent": "By Mises, of bending and shear at the same point; over the section, the pin and "
+    "the turn the largest.",
     "edge": "By the slope of the bent pin in its hole.",
     "shared": "The largest over the turn: of ideal forces with the load shared equally by the "
     "satellites, else of the forces that are solved.",
@@ -125,32 +62,30 @@ NOTES = {
     "criterion": "By the criterion chosen.",
     "finite_life": "By the line from 1000 cycles to a million.",
     "turns_in_radians": "A speed counts in radians a second here: 2·π for each turn.",
-    "deflected": "Of the loaded beam with its shear, at satellite {satellite}; the largest over "
-    "the turn.",
+    "deflected": "Of the beam with its shear under the forces of all satellites, at satellite "
+    "{satellite}; the largest over the turn.",
     "mean_of_turn": "Mean over the turn of the sum of all contact forces, as a share of T/R.",
     "mean_of_mesh": "Mean over the turn of the ring's mesh, as it is solved.",
     "over_turn": "Over the turn.",
     "couple": "By so much the loss is too large: this share of the torque does no sliding.",
-    "bearing_load": "Of the pins and the ring together over the turn; satellite {satellite}, "
-    "whose bearing is loaded most.",
+    "bearing_load": "√(W² + (ρ·W + S − F_c)²) over the turn, by W = T_j/(e·u) of the ring and the "
+    "sum S of the pins' forces; satellite {satellite}, whose bearing is loaded most, carries the "
+    "part T_j of K_α·T.",
     "equivalent_load": "The mean over the turn of the load to the power p, its root; satellite "
     "{satellite}.",
     "reliable": "L₁₀ times the factor of ISO 281 for {percent} %.",
     "together": "That none of the bearings fails before.",
-    "shortened": "k = e·(u + 1)/R_p, of many pins that share as linear contacts do.",
-    "reaction": "From the balance of the shaft, crank by crank, over the turn.",
+    "shortened": "ρ = −(2 − (1 − k²)/k·ln((1 + k)/(1 − k)))/(π·k), of many pins that share as "
+    "linear contacts do.",
+    "reaction": "√(X² + Y²) from the balance of the shaft, the largest over the turn.",
     "equivalent_reaction": "The mean over the turn of the reaction to the power p, its root.",
-    "carried": "Each mass counts by the share that {letter} carries, by its place between "
-    "the bearings.",
+    "carried": "Each mass counts by the share that {letter} carries, by its place between the "
+    "bearings.",
     "peak_torque": "k is the peak torque over the torque of this load.",
     "under_peak": "Solved anew under the peak torque: these forces do not grow in proportion.",
     "opposite": "Opposite to what it balances; counted as the crank angles are.",
-    "unit_force": "At satellite {at}, by a force at satellite {from}, spread evenly over b: "
-    "bending and, with the coefficient 10/9 of a solid pin, shear.",
-    "alike": "Where the value sought is largest, satellites sharing alike; the sum below runs "
-    "over all pairs that drive there.",
-    "equilibrium": "Moments about the other bearing, of the satellites' W and S where the "
-    "reaction is largest, turned by their cranks.",
+    "equilibrium": "Moments about the other bearing where the reaction is largest, of the loads "
+    "turned by their cranks.",
     "along_x": "q_C times the sum over the lines of ∫ A/z ds, computed numerically; s is the "
     "length along each line.",
     "along_y": "−q_C times the sum over the lines of ∫ y/(z·sin φ₁) ds, computed numerically; y = "
@@ -163,13 +98,8 @@ NOTES = {
     "ideal_beside_solved": "These steps are of the ideal mechanism, without clearance, errors and "
     "bending. What is judged are the forces that are solved: the real peak force and all that "
     "rests on it.",
-    "conformal_logarithm": "ln(1 + tan²(ε/2)).",
-    "conformal_logarithm_of_pressure": "ln((√(1 + b²) + b)/(√(1 + b²) − b)) with b = tan(ε/2).",
-    "logarithm_of_shortening": "ln((1 + k)/(1 − k)).",
-    "decades_left": "ln(10⁶/N_L)/ln 1000: at a million cycles nothing is left, and the strength "
-    "is the endurance limit.",
-    "many": "The formula of the source, its sum over the {count} pairs that drive there.",
-    "many_satellites": "The sum over all satellites, as vectors.",
+    "decades_left": "ln(10⁶/N_L)/ln 1000: at a million cycles nothing is left, and the strength is "
+    "the endurance limit.",
     "of_bending": "The bending stress.",
     "solved": "Solved with clearance, deviations and elasticity as they are given.",
     "of_distances": "By the distances of pins and holes, searched over the turn.",
@@ -179,6 +109,15 @@ NOTES = {
     "many_ring_pins": "Of perfect parts on many pins, contacts linear.",
     "hardest_pin": "Satellite {satellite}, pin {pin}, where the pressure is largest.",
     "felt": "Less than decimals lose: taken as none.",
+    "ring_load": "W·√(1 + ρ²), the largest over the turn, by W = T_j/(e·u); satellite {satellite}.",
+    "crank_load": "Of satellite {satellite} where the reaction of {letter} is largest: W = "
+    "T_j/(e·u) by its part of the torque, along the crank Q = ρ·|W| and the sum of its pins' "
+    "forces.",
+    "unbalanced": "Reaction to the centrifugal forces of satellites and counterweights.",
+    "vectors": "m·e of each satellite and the unbalance of each counterweight, added as vectors by "
+    "their angles α.",
+    "vectors_couple": "The unbalances as vectors, each times its z from the middle of the bearings "
+    "and n_1².",
 }
 """What is to be known of a step, and how a number was got in the place of a formula."""
 

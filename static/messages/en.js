@@ -861,6 +861,7 @@ export default {
     equation: "{source}, eq. ({number})",
     after: "{source}, after eq. ({number})",
     accuracy: "Relative error {error}; {method}.",
+    given: "from",
     corrected: "On the print: {words}",
   },
   words: {

@@ -16,23 +16,33 @@ function math(content, said) {
   return html`<math aria-label="${said}"><mrow>${content}</mrow></math>`;
 }
 
-/** `symbol = formula`, `= numbers`, `= value`: a formula each, so that lines break between them. */
-function formulas({ symbol, formula, names, values: given, code, result: value }, digits) {
-  const unit = unitOf(code);
-  const name = mathSymbol(symbol);
-  const spoken = plainSymbol(symbol);
+const EQUAL = html`<mo form="infix">=</mo>`;
+
+/** `= value`, written and spoken. */
+function equals(value, unit, digits) {
   const shown = quantityParts(value, unit, Number.isInteger(value) && shownAsIs(unit) ? 15 : digits);
-  const result = html`<mn>${shown.value}</mn>${unit && html`<mtext>${unit === "°" ? "°" : `\u202f${shown.unit}`}</mtext>`}`;
-  const resultSaid = formatQuantity(value, unit, digits);
-  const equal = html`<mo form="infix">=</mo>`;
-  if (!formula) return math(html`${name}${equal}${result}`, `${spoken} = ${resultSaid}`);
+  const own = unit && html`<mtext>${unit === "°" ? "°" : `\u202f${shown.unit}`}</mtext>`;
+  return [html`${EQUAL}<mn>${shown.value}</mn>${own}`, `= ${formatQuantity(value, unit, digits)}`];
+}
+
+function stated(symbol, [written, spoken]) {
+  return math(html`${mathSymbol(symbol)}${written}`, `${plainSymbol(symbol)} ${spoken}`);
+}
+
+/** `symbol = formula`, `= numbers`, `= value`: a formula each, so that lines break between them; of a method its numbers. */
+function formulas({ symbol, formula, names, values: given, code, result: value }, digits) {
+  const result = equals(value, unitOf(code), digits);
+  if (!formula) {
+    const numbers = Object.entries(given).map(([own, amount]) => stated(own, equals(amount, unitOf(names[own]), digits)));
+    return html`${stated(symbol, result)}${numbers.length > 0 && html`<span class="step-given">${message("worked.given")} ${numbers}</span>`}`;
+  }
   const tree = parse(formula);
   const values = Object.fromEntries(Object.entries(given).map(([own, amount]) => [own, { value: amount, unit: unitOf(names[own]) }]));
   const numbers = { values, withNumbers: true, digits };
   return html`
-    ${math(html`${name}${equal}${mathml(tree)}`, `${spoken} = ${plainText(tree)}`)}
-    ${math(html`${equal}${mathml(tree, numbers)}`, `= ${plainText(tree, numbers)}`)}
-    ${math(html`${equal}${result}`, `= ${resultSaid}`)}`;
+    ${stated(symbol, [html`${EQUAL}${mathml(tree)}`, `= ${plainText(tree)}`])}
+    ${math(html`${EQUAL}${mathml(tree, numbers)}`, `= ${plainText(tree, numbers)}`)}
+    ${math(...result)}`;
 }
 
 function noteText(code, params = {}) {

@@ -14,10 +14,11 @@ from pydantic import TypeAdapter, ValidationError
 
 from app.endpoint import answered
 from app.examples import EXAMPLES
+from app.model import RequestModel, ResponseModel
 from app.problems import Problem
 from app.registry import CALCULATIONS
-from app.units import to_si
-from app.worked import QUANTITIES, api_name
+from app.units import core_name, suffix, to_si
+from app.worked import OTHERS, VALUES
 from core.worked import words
 from core.worked.step import names_of
 from tests.app.worked_designs import REQUESTS
@@ -47,16 +48,24 @@ def check(steps: list[dict[str, Any]]) -> None:
     for step in steps:
         words_of = f"{step['section']} {step['code']} {step['symbol']}"
         assert ("formula" in step) != ("method" in step), words_of
+        assert set(step["names"]) == set(step["values"]), words_of
         if "method" in step:
             continue
         names, formula = step["names"], step["formula"]
         assert formula.isascii() and len(names) >= 2, words_of
-        assert set(names) == set(step["values"]) == set(names_of(formula)), words_of
+        assert set(names) == set(names_of(formula)), words_of
         values = {name: to_si(names[name], value) for name, value in step["values"].items()}
         wanted = to_si(step["code"], step["result"])
         found = value_of(formula, values)
         left = 0.0 if wanted else LEFT
         assert math.isclose(found, wanted, rel_tol=1e-9, abs_tol=left), (words_of, found, wanted)
+
+
+def descendants(kind: type[Any]) -> Iterator[type[Any]]:
+    """Models that descend from one."""
+    for each in kind.__subclasses__():
+        yield each
+        yield from descendants(each)
 
 
 def numbers(body: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
@@ -154,62 +163,29 @@ def test_what_cannot_be_is_not_worked() -> None:
     assert {step["section"] for step in steps_of("crank-planetary", body)} == {"cyclogram"}
 
 
-def test_a_narrow_peak_is_not_written_with_the_angles_of_another() -> None:
-    """By a force exponent of 10,000 the largest slope lies where no step of the search does."""
-    _, body = REQUESTS["pins"]
-    narrow = body | {
-        "mechanism": {
-            "pins": 5,
-            "satellites": 3,
-            "ratio": 20.0,
-            "crank_angles_deg": [288.0, 324.0, 360.0],
-        },
-        "load": {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0, "force_exponent": 1e4},
-        "pin": body["pin"] | {"satellite_positions_mm": [15.0, 37.0, 59.0], "diameter_mm": 15.0},
-        "fatigue": {"endurance_limit_MPa": 300.0},
-    }
-    narrow.pop("contact")
-    narrow["pin"]["contact_length_mm"] = 20.0
-    steps = steps_of("pin-strength", narrow)
-    check(steps)
-    assert any(step["code"] == "slope_mrad" for step in steps)
-
-
-def test_the_sum_of_many_pairs_is_not_written_out() -> None:
-    body = {"pins": 5000, "satellites": 2, "ratio": 20.0, "output_torque_Nm": 1e3,
-            "pin_circle_radius_mm": 1e3, "include": ["equal_sharing"]}  # fmt: skip
-    steps = steps_of("contact-force", body)
-    check(steps)
-    assert max(len(step["names"]) for step in steps) < 20
-    by_code = {step["code"]: step for step in steps}
-    assert by_code["peak_force_N"]["method"] == "many"
-
-
-def _said(folder: Path) -> dict[str, set[str]]:
-    """Texts of a kind that the steps of core name in their source, by kind."""
-    found: dict[str, set[str]] = {kind: set() for kind in ("text", "quantity")}
-    for file in folder.glob("*.py"):
-        if file.name == "words.py":
-            continue
+def test_every_text_and_unit_is_used() -> None:
+    said = {"solved", "simulated", "of_distances", "root"}  # of app.worked.stated
+    for file in (ROOT / "core" / "worked").glob("[!w]*.py"):
         for node in ast.walk(ast.parse(file.read_text())):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
-                found["text"].add(node.value)
-            match node:
-                case ast.Call(func=ast.Attribute(attr="take"), args=[_, ast.Constant(name), _]):
-                    found["quantity"].add(name)
-                case ast.Call(func=ast.Attribute(attr="work" | "state"), args=[code, *_]):
-                    if isinstance(code, ast.Constant):
-                        found["quantity"].add(code.value)
-    return found
+                said.add(node.value)
+    named = {core_name(name) for name in (*VALUES, *OTHERS.split())}
+    for table in (named, words.NOTES, words.ERRATA, words.SOURCES):
+        assert set(table) <= said, set(table) - said
 
 
-def test_every_quantity_has_its_unit_and_every_text_is_used() -> None:
-    said = _said(ROOT / "core" / "worked")
-    known = {name for names in QUANTITIES.values() for name in names.split()}
-    assert said["quantity"] <= known, said["quantity"] - known
-    texts = said["text"] | {"solved", "simulated", "of_distances", "root"}  # of app.worked.stated
-    for table in (words.VALUES, words.NOTES, words.ERRATA, words.SOURCES):
-        assert set(table) <= texts, set(table) - texts
+def test_quantities_of_several_units_say_which() -> None:
+    """A quantity has the unit of the field that it is, if all such fields have one unit."""
+    units: dict[str, set[str]] = {}
+    for kind in (RequestModel, ResponseModel):
+        for model in descendants(kind):
+            for name in model.model_fields:
+                units.setdefault(core_name(name), set()).add(suffix(name))
+    said = {core_name(name) for name in (*VALUES, *OTHERS.split())}
+    for calculation, body in REQUESTS.values():
+        for step in steps_of(calculation, body):
+            for name in (step["code"], *step["names"].values()):
+                assert core_name(name) in said or len(units[core_name(name)]) == 1, name
 
 
 @pytest.mark.anyio
@@ -224,7 +200,6 @@ async def test_every_code_has_words(api: httpx.AsyncClient) -> None:
                 assert step["source"] in titles["worked_sources"]
             if "erratum" in step:
                 assert step["erratum"] in titles["worked_errata"]
-    assert all(api_name(code) in titles["worked_values"] for code in words.VALUES)
 
 
 PLAY = {

@@ -48,7 +48,7 @@ def test_peak_is_the_exact_one(seed: int) -> None:
 
 @pytest.mark.parametrize(
     ("pins", "satellites", "exponent"),
-    [*((39, 2, v) for v in EXPONENTS), (40, 6, 0.0), (40, 6, 0.3), (40, 6, 1.5), (40, 6, 500.0)],
+    [*((39, 2, v) for v in EXPONENTS), (40, 6, 0.0), (40, 6, 0.3), (40, 6, 1.5), (40, 6, 100.0)],
 )
 def test_peak_of_the_largest_mechanisms(pins: int, satellites: int, exponent: float) -> None:
     # searched in mpmath only where doubles see a chance: all of it would take a minute
@@ -240,7 +240,7 @@ def test_a_dead_centre_is_refused_with_its_place(
 
 
 @pytest.mark.parametrize("pins", [1, 2])
-@pytest.mark.parametrize("exponent", [0.0, 1.0, 1.5, 2e4, 1e6])
+@pytest.mark.parametrize("exponent", [0.0, 1.0, 1.5, 30.0, 100.0])
 def test_beside_a_dead_centre_a_peak_has_a_digit_or_is_refused(pins: int, exponent: float) -> None:
     refused = []
     for power in range(-15, -1):

@@ -11,7 +11,6 @@ const ADD = 1;
 const MULTIPLY = 2;
 const POWER = 3;
 const ATOM = 4;
-const WRITTEN_TERMS = 4; // of a sum of terms alike; of a longer one the first two and the last
 const FUNCTION_NAMES = { asin: "arcsin", acos: "arccos", atan: "arctan" };
 const GREEK = {
   alpha: "α", beta: "β", gamma: "γ", delta: "δ", Delta: "Δ", eps: "ε", epsilon: "ε", eta: "η", theta: "θ", lambda: "λ", mu: "μ", nu: "ν", pi: "π",
@@ -37,7 +36,6 @@ const MATHML = {
   absolute: (inner) => html`<mrow><mo>|</mo>${inner}<mo>|</mo></mrow>`,
   call: (name, args) => html`<mi>${name}</mi><mo>\u2061</mo><mrow><mo>(</mo>${args.map((arg, i) =>
     html`${i > 0 && html`<mo separator="true">;</mo><mspace width="0.3em"></mspace>`}${arg}`)}<mo>)</mo></mrow>`,
-  gap: (first, last) => html`${first}<mo>+</mo><mo>…</mo><mo>+</mo>${last}`,
 };
 const PLAIN = {
   number: (text, unit) => text + (unit === "°" ? "°" : unit && ` ${unit}`),
@@ -51,7 +49,6 @@ const PLAIN = {
   root: (inner) => `√(${inner})`,
   absolute: (inner) => `|${inner}|`,
   call: (name, args) => `${name}(${args.join("; ")})`,
-  gap: (first, last) => `${first} + … + ${last}`,
 };
 
 const letterOf = (name) => GREEK[name] ?? name;
@@ -62,14 +59,6 @@ function symbolParts(name) {
   const base = letterOf(letter) + (rest.includes("prime") ? "′" : "");
   const below = rest.filter((part) => !["prime", "star"].includes(part)).map(letterOf).join(",");
   return [base, below, rest.includes("star") ? "*" : ""];
-}
-
-/** What two terms have in common that differ only in the numbers of their names. */
-const shapeOf = (tree) => JSON.stringify(tree).replace(/_\d+/g, "");
-
-/** The terms of a sum, in their order. */
-function termsOf(tree) {
-  return tree.operator === "+" ? [...termsOf(tree.of[0]), tree.of[1]] : [tree];
 }
 
 function writer(style, { values, withNumbers, digits }) {
@@ -90,17 +79,9 @@ function writer(style, { values, withNumbers, digits }) {
     return withNumbers && known ? amount(known.value, known.unit) : atom(style.symbol(...symbolParts(own)));
   }
 
-  /** A sum of many terms alike: the first two and the last. */
-  function gapped(terms) {
-    const part = (i) => within(write(terms[i]), i === 0 ? ADD : MULTIPLY);
-    return atom(style.gap(style.operator(part(0), "+", part(1)), part(terms.length - 1)), ADD);
-  }
-
   function operation(tree) {
     const { operator, of } = tree;
     if (operator === "neg") return atom(style.negative(within(write(of[0]), MULTIPLY)), ADD);
-    const terms = termsOf(tree);
-    if (terms.length > WRITTEN_TERMS && new Set(terms.map(shapeOf)).size === 1) return gapped(terms);
     const [left, right] = of.map(write);
     switch (operator) {
       case "+": return atom(style.operator(left.written, "+", within(right, right.number ? MULTIPLY : ADD)), ADD);
