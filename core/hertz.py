@@ -497,7 +497,7 @@ def hertz(
             method=method,
             # rho contains a difference of rounded radii; the factors of beta have their own error
             relative_error=ROUNDING * (8 + (hole_radius + pin_radius) / difference)
-            + where(wide["governing"] == max_pressure, 0.0, 2 * abs(constants[1]) * ERROR),
+            + where(wide["governing"] > max_pressure, 2 * abs(constants[1]) * ERROR, 0.0),
             evaluations=evaluations,
         ),
     )

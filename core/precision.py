@@ -44,7 +44,7 @@ CLASSES = {
     "closed_form_gaps": EXACT,
     "closed_form_newton": EXACT,
     "graded_quadrature": EXACT,
-    "integral_equation": 5 * SEARCHED,
+    "integral_equation": SEARCHED,
     "mohr": EXACT,
     "newton_bracket": EXACT,
     "sampling": 10 * JUDGED,

@@ -61,7 +61,7 @@ def test_peak_of_the_largest_mechanisms(pins: int, satellites: int, exponent: fl
     assert error <= min(1e-10, result.accuracy.relative_error)
 
 
-@pytest.mark.parametrize("exponent", [0.0, 0.3, 1.0, 1.5, 120.0])
+@pytest.mark.parametrize("exponent", [0.0, 0.3, 1.0, 1.5, 100.0])
 @pytest.mark.parametrize("distance", [1e-13, 1e-12, 5e-12, 7e-12, 1e-10, 1e-8, 1e-5, 1e-3])
 @pytest.mark.parametrize(("pins", "spacing"), [(3, 0.0), (3, math.pi), (4, 0.0), (5, math.pi / 5)])
 def test_peak_of_nearly_coincident_switching_angles(
@@ -144,7 +144,7 @@ def test_peak_of_phases_evenly_spaced_but_for_a_trifle(
     assert error <= result.accuracy.relative_error
 
 
-@pytest.mark.parametrize("exponent", [0.0, 1e-8, 0.3, 1.0, 1.5, 20.0])
+@pytest.mark.parametrize("exponent", [0.0, 0.01, 0.3, 1.0, 1.5, 20.0])
 @pytest.mark.parametrize("margin", [1e-10, 1e-8, 1e-6, 1e-4, 1e-2])
 @pytest.mark.parametrize("pins", [1, 2])
 def test_peak_beside_a_dead_centre_states_its_error(
