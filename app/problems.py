@@ -51,6 +51,7 @@ OF_REQUESTS = {
     "literal_error": "must be one of {expected}",
     "missing": "is needed",
     "multiple_of": "must be a multiple of {limit:.15g}",
+    "moved_to": "is given as {field} now",
     "needed_beside": "is needed beside {field}",
     "needed_for": "is needed for {section}",
     "needed_to_draw": "is needed: what is not known is not drawn",

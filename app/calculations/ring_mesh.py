@@ -5,7 +5,6 @@ from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from app.calculations.contact_law import MeshLawFields
 from app.calculations.involute_mesh import (
     InvoluteRingFields,
     drawn_path,
@@ -110,7 +109,6 @@ def _of_its_kind(given: Any) -> Any:
 UNION_TAGS.update(("cycloid", "involute"))
 
 OF_CYCLOIDS = (
-    "contact_law",
     "deviations",
     "satellite_coupling",
     "lost_motion_torque_share",
@@ -148,7 +146,6 @@ class RingMeshRequest(RequestModel, group="positions"):
         Field(discriminator="kind", description="Teeth of satellites and ring, by their kind."),
         BeforeValidator(_of_its_kind),
     ]
-    contact_law: MeshLawFields = Field(default_factory=MeshLawFields)
     deviations: RingDeviationsFields = Field(default_factory=RingDeviationsFields)
     satellite_coupling: MeshCouplingFields = Field(default_factory=MeshCouplingFields)
     lost_motion_torque_share: float = quantity(
@@ -176,6 +173,13 @@ class RingMeshRequest(RequestModel, group="positions"):
         "results. The default is the positions of cycloid discs or the stresses of "
         "involute teeth.",
     )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _law_is_of_the_gear(cls, given: Any) -> Any:
+        if isinstance(given, dict) and "contact_law" in given:
+            raise field_error("contact_law", "moved_to", field="gear.contact_law")
+        return given
 
     @model_validator(mode="after")
     def _of_the_kind(self) -> Self:
@@ -291,7 +295,7 @@ class RingMeshRequest(RequestModel, group="positions"):
             contact_length=ring.contact_length,
             disc_material=ring.disc_material,
             crank_angles=self.mechanism.crank_angles,
-            law=ring.contact_law or self.contact_law.named() or HertzLaw(),
+            law=ring.contact_law or HertzLaw(),
             deviations=self.deviations.section(),
             support=self.support,
         )

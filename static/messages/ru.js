@@ -1068,6 +1068,7 @@ export default {
       literal_error: "должно быть одним из: {expected}",
       missing: "нужно значение",
       multiple_of: "должно быть кратно {limit}",
+      moved_to: "теперь задаётся как {field}",
       needed_beside: "нужно вместе с полем {field}",
       needed_for: "нужно для раздела {section}",
       needed_to_draw: "нужно: чего не знают, того не чертят",

@@ -1068,6 +1068,7 @@ export default {
       literal_error: "має бути одним з: {expected}",
       missing: "потрібне значення",
       multiple_of: "має бути кратним {limit}",
+      moved_to: "тепер задається як {field}",
       needed_beside: "потрібно разом із полем {field}",
       needed_for: "потрібно для розділу {section}",
       needed_to_draw: "потрібно: чого не знають, того не креслять",

@@ -145,6 +145,7 @@ OF_OTHER_SIZES = (
     "/gear/ring_tip_radius_mm",
     "/gear/satellite_tip_radius_mm",
     "/mechanism/ring_teeth",
+    "/mechanism/satellite_teeth",
 )
 """What has limits that follow from other sizes."""
 

@@ -87,7 +87,7 @@ def of_request(body: dict[str, Any]) -> tuple[CycloidMesh, float, float]:
     """The mesh of a request, its first crank angle and its torque."""
     gear, count = body["gear"], body["mechanism"]["satellites"]
     own = {name: value / 1e3 for name, value in gear.get("modification", {}).items()}
-    law, kind = body["contact_law"], body["contact_law"]["kind"]
+    law, kind = gear["contact_law"], gear["contact_law"]["kind"]
     laws: dict[str, Any] = {
         "linear": lambda: LinearLaw(law["stiffness_N_per_mm"] * 1e3),
         "power": lambda: PowerLaw(

@@ -72,8 +72,8 @@ def request(r: Draw) -> Body:
                 "equidistant_mm": r.decimal(0, 0.03),
                 "pin_circle_mm": -r.decimal(0, 0.01),
             },
+            "contact_law": law,
         },
-        "contact_law": law,
         "crank_angle_deg": [r.decimal(0, 360)],
     }
     if r.chance(0.5):
@@ -115,7 +115,7 @@ def numbers(body: Body, answer: Any) -> Numbers:
 
 def _mesh(body: Body) -> tuple[Any, mpf, mpf]:
     """The mesh in decimals, SI units; its crank angle and torque."""
-    gear, law = body["gear"], body["contact_law"]
+    gear, law = body["gear"], body["gear"]["contact_law"]
     given = body.get("deviations", {})
 
     def mm(value: Any) -> Any:
