@@ -6,8 +6,7 @@ from functools import partial
 from typing import Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import Field, field_validator
-from pydantic_core import PydanticCustomError
+from pydantic import Field
 
 from app.calculations.mechanism import MechanismFields, PairOut
 from app.model import (
@@ -29,7 +28,6 @@ from app.units import UNITS, from_si, rounded, to_si
 from core.arrays import FloatArray
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.contact_force import (
-    LEAST_FORCE_EXPONENT,
     ContactForce,
     Cyclogram,
     ForceCurves,
@@ -230,10 +228,6 @@ peak_torque = partial(
 )
 
 
-EXPONENT = {"anyOf": [{"const": 0}, {"minimum": LEAST_FORCE_EXPONENT}]}
-"""Values of the force exponent, for the schema."""
-
-
 class TorqueFields(RequestModel, group="load"):
     """Torque, lever and load sharing of the pins."""
 
@@ -249,18 +243,9 @@ class TorqueFields(RequestModel, group="load"):
     efficiency: Maybe[float] = quantity("Efficiency", "η", step=0.01, ge=1e-3, le=1)
     """Efficiency of the reducer, needed with the input torque."""
     pin_circle_radius_mm: Size = pin_circle_radius()
-    force_exponent: float = quantity(
-        "Force exponent", "v", default=1.0, step=0.1, ge=0, le=100, schema=EXPONENT
-    )
+    force_exponent: float = quantity("Force exponent", "v", default=1.0, step=0.1, ge=0, le=1e6)
     """Exponent v in force ∝ approach^v: 0 for equal sharing, 1 for linear contacts, 10/9 and 3/2
     for the usual contact laws."""
-
-    @field_validator("force_exponent")
-    @classmethod
-    def _a_contact_has_it(cls, exponent: float) -> float:
-        if 0 < exponent < LEAST_FORCE_EXPONENT:
-            raise PydanticCustomError("dust", "dust", {"limit": LEAST_FORCE_EXPONENT})
-        return exponent
 
     def force_given(self, members: Members) -> dict[str, Any]:
         """Load as the worked steps of the force take it."""

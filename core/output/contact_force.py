@@ -235,8 +235,8 @@ def _counts(
     return (*joined, CountInterval(begun, shown.end, count)), dropped
 
 
-LEAST_FORCE_EXPONENT, MAX_FORCE_EXPONENT = 0.01, 100.0
-"""Range of the exponent v, besides 0: forces that rise faster or slower are of no contact."""
+MAX_FORCE_EXPONENT = 1e6
+"""Largest exponent v for which forces are resolved to their stated error."""
 
 APPROXIMATION_PINS = (3, 5)
 """Numbers of pins for which eq. (5) of Yanchevsky et al. 2018 is stated."""
@@ -276,7 +276,7 @@ def force_ratios(
     crank_angles : array, shape (n,)
         Crank angles, rad.
     force_exponent : float
-        Exponent v of the force over the approach, 0 or 0.01 to 100.
+        Exponent v of the force over the approach, from 0 to `MAX_FORCE_EXPONENT`.
 
     Raises
     ------
@@ -337,13 +337,9 @@ def approximation_notices(*, mechanism: Mechanism, force_exponent: float) -> tup
 
 
 def check_exponent(force_exponent: float) -> None:
-    """Raise `InvalidInput` unless the exponent v is 0 or in the range."""
+    """Raise `InvalidInput` unless the exponent v lies from 0 to `MAX_FORCE_EXPONENT`."""
     check_single(force_exponent=force_exponent)
     check_not_negative(force_exponent=force_exponent)
-    if 0 < force_exponent < LEAST_FORCE_EXPONENT:
-        raise InvalidInput(
-            "force_exponent", force_exponent, "greater_than_equal", limit=LEAST_FORCE_EXPONENT
-        )
     if force_exponent > MAX_FORCE_EXPONENT:
         raise InvalidInput(
             "force_exponent", force_exponent, "less_than_equal", limit=MAX_FORCE_EXPONENT
@@ -384,7 +380,7 @@ def peak_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> PeakForc
     Parameters
     ----------
     force_exponent : float
-        Exponent v of the force over the approach, 0 or 0.01 to 100.
+        Exponent v of the force over the approach, from 0 to `MAX_FORCE_EXPONENT`.
 
     Raises
     ------
@@ -533,7 +529,7 @@ def contact_force(
     Parameters
     ----------
     force_exponent : float
-        Exponent v of the force over the approach, 0 or 0.01 to 100.
+        Exponent v of the force over the approach, from 0 to `MAX_FORCE_EXPONENT`.
     curve_samples : int, optional
         Number of even crank angles from 0 to a full turn for curves of the forces, at least 2.
     equal_sharing, approximation : bool

@@ -68,7 +68,7 @@ def test_rollers_one_by_one_with_the_keyboard(page: Page, service: str, watch: A
     page.keyboard.type("105")
     page.keyboard.press("ArrowUp")  # by the schema's step of 15
     expect(cell(page, 4, "Position angle")).to_have_value("120")
-    expect(words_at(page, "rollers")).to_contain_text("Position of the roller")
+    expect(words_at(page, "rollers")).to_contain_text("position of the roller")
     expect(page.locator(".summary")).to_contain_text("4 rollers")
     settled(page)
     assert figures(page) == before

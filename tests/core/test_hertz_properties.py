@@ -354,7 +354,7 @@ def test_everything_is_a_number_whatever_the_contact(contact: dict[str, object])
         if isinstance(value, float) and not (name == "governing" and one.half_width_ratio > 3):
             assert math.isfinite(value)
             assert value > 0
-    factor = 0.0 if one.governing == one.max_pressure else 1e-8 * abs(one.mismatch[1])
+    factor = 1e-8 * abs(one.mismatch[1]) if one.governing > one.max_pressure else 0.0
     assert 0 < one.accuracy.relative_error - factor < 1e-10
 
 

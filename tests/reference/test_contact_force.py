@@ -48,7 +48,7 @@ def test_peak_is_the_exact_one(seed: int) -> None:
 
 @pytest.mark.parametrize(
     ("pins", "satellites", "exponent"),
-    [*((39, 2, v) for v in EXPONENTS), (40, 6, 0.0), (40, 6, 0.3), (40, 6, 1.5), (40, 6, 100.0)],
+    [*((39, 2, v) for v in EXPONENTS), (40, 6, 0.0), (40, 6, 0.3), (40, 6, 1.5), (40, 6, 500.0)],
 )
 def test_peak_of_the_largest_mechanisms(pins: int, satellites: int, exponent: float) -> None:
     # searched in mpmath only where doubles see a chance: all of it would take a minute
@@ -61,7 +61,7 @@ def test_peak_of_the_largest_mechanisms(pins: int, satellites: int, exponent: fl
     assert error <= min(1e-10, result.accuracy.relative_error)
 
 
-@pytest.mark.parametrize("exponent", [0.0, 0.3, 1.0, 1.5, 100.0])
+@pytest.mark.parametrize("exponent", [0.0, 0.3, 1.0, 1.5, 120.0])
 @pytest.mark.parametrize("distance", [1e-13, 1e-12, 5e-12, 7e-12, 1e-10, 1e-8, 1e-5, 1e-3])
 @pytest.mark.parametrize(("pins", "spacing"), [(3, 0.0), (3, math.pi), (4, 0.0), (5, math.pi / 5)])
 def test_peak_of_nearly_coincident_switching_angles(
@@ -144,7 +144,7 @@ def test_peak_of_phases_evenly_spaced_but_for_a_trifle(
     assert error <= result.accuracy.relative_error
 
 
-@pytest.mark.parametrize("exponent", [0.0, 0.01, 0.3, 1.0, 1.5, 20.0])
+@pytest.mark.parametrize("exponent", [0.0, 1e-8, 0.3, 1.0, 1.5, 20.0])
 @pytest.mark.parametrize("margin", [1e-10, 1e-8, 1e-6, 1e-4, 1e-2])
 @pytest.mark.parametrize("pins", [1, 2])
 def test_peak_beside_a_dead_centre_states_its_error(
@@ -240,7 +240,7 @@ def test_a_dead_centre_is_refused_with_its_place(
 
 
 @pytest.mark.parametrize("pins", [1, 2])
-@pytest.mark.parametrize("exponent", [0.0, 1.0, 1.5, 30.0, 100.0])
+@pytest.mark.parametrize("exponent", [0.0, 1.0, 1.5, 2e4, 1e6])
 def test_beside_a_dead_centre_a_peak_has_a_digit_or_is_refused(pins: int, exponent: float) -> None:
     refused = []
     for power in range(-15, -1):

@@ -36,7 +36,7 @@ def block(language):
 
 
 def part_of(answer, shown):
-    """What of an answer is shown, its numbers to four digits."""
+    """Shown fields of an answer, numbers to four digits."""
     if isinstance(shown, dict):
         return {name: part_of(answer[name], value) for name, value in shown.items()}
     return float(f"{answer:.4g}") if isinstance(answer, float) else answer
