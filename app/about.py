@@ -556,7 +556,7 @@ class Words(ResponseModel):
 
 
 def _named(words: Any) -> Any:
-    """Texts with parameters named only, without a format or the unit at the end of a name."""
+    """Texts, nested as given, whose ``{name:format}`` is ``{name}``; " mm" behind a length goes."""
     if isinstance(words, str):
         return re.sub(r"(_mm)?:[^{}]*}(?(1)( mm)?)", r"\1}", words)
     return {code: _named(each) for code, each in words.items()}

@@ -38,7 +38,7 @@ class CrankshaftRequest(CrankedRequest):
         return math.inf
 
     def solve(self) -> Crankshaft:
-        """Reactions and balance."""
+        """Reactions and lives of the bearings, and balance if mass and speed are known."""
         return self.with_fit(self.results.crank.shaft)
 
     def steps(self) -> list[Step]:

@@ -259,7 +259,7 @@ class TorqueFields(RequestModel, group="load"):
 
     @property
     def _driven_by(self) -> tuple[float, float] | None:
-        """Torque on the crankshaft, N*m, and efficiency, if they are given."""
+        """Torque on the crankshaft, N*m, and efficiency; None unless both are given."""
         match self.given:
             case {"input_torque_Nm": torque, "efficiency": efficiency}:
                 return torque, efficiency

@@ -361,7 +361,9 @@ def shaft_fatigue(kind: Kind, design: ShaftDesign) -> Check:
     needs="contact",
 )
 def line_pressure(kind: Kind, design: ShaftDesign) -> Check:
-    """Compare the pressure with the lower limit of roller and tooth; a missing one is open."""
+    """Compare the pressure with the lower limit of roller and tooth over the required safety; a
+    missing limit leaves the check open unless it fails by the known one.
+    """
     pressure, limits = design.contact.max_pressure, design.pressure_limits
     missing = tuple(name for name in LINE_MATERIALS if name not in limits)
     error = 4 * float(design.contact.accuracy.relative_error)

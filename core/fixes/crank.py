@@ -68,8 +68,9 @@ def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> 
 
 
 def _too_wide(design: Design, fix: Fix) -> bool:
-    """True if discs get wider than the radius of the ring pin circle (or pin circle), or the pin
-    circle exceeds the ring pin circle (or ten times its size).
+    """True if a fix makes a contact length or the pin circle larger than the ring pin circle.
+
+    Without ring pins, the limits are the pin circle and ten times its size.
     """
     widens = fix.variable == "load.pin_circle_radius"
     wide = design.load.pin_circle_radius * (10 if widens else 1)

@@ -114,7 +114,7 @@ def conformal_wrap(*, contact_length: float, pin: ElasticMaterial, hole: Elastic
 
 @lru_cache(maxsize=256)
 def _pressures(alpha: float, beta: float) -> Wrap:
-    """Largest pressures of conformal contacts with ``b*E* = 1``, by Dundurs' constants."""
+    """Largest pressure over Hertz's as a `Wrap` with ``b*E* = 1``, by Dundurs' constants."""
     width, contact = _contacts(alpha, beta)
     powers = _powers(contact.pressure * math.sqrt(math.pi) * width)
     wrap = Wrap(1.0, 0.0, _widest(alpha, beta), powers)

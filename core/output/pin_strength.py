@@ -75,7 +75,7 @@ class PinStrength:
     peak_moment_position: float  # distance of its section from the carrier's face, m
     peak_bending_stress: float  # largest bending stress of any section, Pa
     peak_shear_force: float  # largest shear force of any section, N
-    peak_shear_stress: float  # largest shear stress, 4/3 of its mean, Pa
+    peak_shear_stress: float  # largest shear stress, of a solid pin 4/3 of its mean, Pa
     peak_equivalent_stress: float  # largest equivalent stress of any section (Mises), Pa
     static_stress: float  # largest equivalent stress under the peak torque, Pa
     yield_strength: float | None  # Re of the pin, Pa, if known

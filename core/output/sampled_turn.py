@@ -126,7 +126,7 @@ class PinSamples:
                 return found
 
     def only(self, kept: BoolArray) -> "PinSamples":
-        """Chosen samples, shape (n,), and those beside them."""
+        """Samples of a mask, shape (n,), and their neighbours."""
         beside = kept.copy()
         beside[1:] |= kept[:-1]
         beside[:-1] |= kept[1:]

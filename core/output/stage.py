@@ -200,7 +200,7 @@ class Stage:
         return room
 
     def refuse(self, *, angle: float, status: int, room: Solved) -> None:
-        """Raise ImpossibleMechanism for a position by the status that the engine left."""
+        """Raise ImpossibleMechanism for an angle of the engine, rad, by its status."""
         params = self._beyond_law(room) if status == engine.TOO_WIDE else {}
         place = {"crank_angle": self.crank_angle(float(angle))}
         raise ImpossibleMechanism(REFUSALS[status], place, **params)

@@ -107,7 +107,10 @@ class _Looked:
         return np.minimum(radius_at(line.on_ring(start), base=line.ring_base), self.outmost)
 
     def reach(self, line: LineOfAction, ratio: float, room: float) -> BoolArray:
-        """True for teeth that have a contact ratio with G of their tips >= room."""
+        """True for teeth whose contact ratio can be `ratio` with tips that pass by at least `room`.
+
+        The room is an angle times teeth, see `LineOfAction.crossing`.
+        """
         ring = self.ring_tip(line, ratio)
         tips = line.crossing(satellite_tip=self.tip, ring_tip=ring).interference
         there = self.end - self.first >= 2 * math.pi * ratio / line.satellite_teeth

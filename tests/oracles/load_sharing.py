@@ -38,6 +38,8 @@ def _position(real: Any, crank_angle: mpf, torque: mpf) -> Exact:
         (mpf(real.eccentricity) + max(real.clearance, 0)) / real.pin_circle_radius * 3,
     )
     satellites = _pairs(real, crank_angle)
+    if hasattr(held, "stiffness") and not hasattr(held, "radial_clearance"):
+        far += abs(torque) / held.stiffness  # each disc turns in its mesh by that at most
     if hasattr(held, "shares"):
         shares = [*map(mpf, held.shares)]
         apart = [
