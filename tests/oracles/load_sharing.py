@@ -101,10 +101,10 @@ def _loaded(real: Any, pairs: list, lag: mpf) -> tuple[list[mpf], mpf]:
     if hasattr(held, "stiffness"):  # the disc moves back along its crank, or turns in the mesh
         gives = 1 / mpf(held.stiffness)
         far = gives * loaded(back)[2]
-        turns = not hasattr(held, "radial_clearance")
-        if turns and abs(lag) < abs(far) and not loaded(lag)[2]:  # turned as far it is free
-            far = lag
         low, high = sorted((back, far))
+        if not hasattr(held, "radial_clearance") and not loaded(lag)[2]:  # turned as far it is free
+            reach = (mpf(real.eccentricity) + max(real.clearance, 0)) / real.pin_circle_radius * 3
+            low, high = sorted((lag, mp.sign(lag) * max(abs(lag) - reach, 0)))
         back = _root(lambda x: x - gives * loaded(x)[2], low, high)
     return loaded(back)[:2]
 
