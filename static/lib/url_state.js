@@ -43,9 +43,10 @@ const KNOWN = ["calculator", "v", "verdict", "units", "lang", "lengths", ...LABE
  * what this version does not know or what contradicts the rest, `older` says that the link was made before
  * links said their `verdict`. A link without a version is of the current one.
  */
-export function decodeState(model, parameters, calculator = parameters.get("calculator")) {
+export function decodeState(model, link, calculator = link.get("calculator")) {
+  const parameters = new URLSearchParams(link);
   for (const [path, older] of Object.entries(model.moved ?? {})) {
-    if (parameters.has(older) && !parameters.has(path)) parameters.set(path, parameters.get(older));
+    if (link.has(older) && !link.has(path)) parameters.set(path, link.get(older));
     parameters.delete(older);
   }
   const names = [...new Set(parameters.keys())];

@@ -32,6 +32,18 @@ test("a link reopened is the same body, whatever was chosen", () => {
   }
 });
 
+test("a field that has moved is read from its older place in links and designs, and its own place counts", () => {
+  const model = { ...MODEL, moved: { "mechanism.pins": "contact.pin_count" } };
+  const link = new URLSearchParams("contact.pin_count=7&mechanism.ratio=20");
+  const { state, claim } = decodeState(model, link);
+  assert.equal(state.texts["mechanism.pins"], "7");
+  assert.deepEqual(claim.unknown, []);
+  assert.equal(link.get("contact.pin_count"), "7", "the link itself stays");
+  link.set("mechanism.pins", "5");
+  assert.equal(decodeState(model, link).state.texts["mechanism.pins"], "5");
+  assert.equal(stateFromInput(model, { contact: { pin_count: 9 } }).texts["mechanism.pins"], "9");
+});
+
 test("an option with nothing typed yet is still known by the link", () => {
   const state = withChosen(stateFromInput(MODEL, INPUT), { ratio: "teeth", "contact.pin_material": "own" });
   assert.deepEqual(through(state).chosen, state.chosen);

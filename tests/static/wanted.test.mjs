@@ -15,7 +15,7 @@ import * as study from "../../static/calculators/crank-planetary/study.js";
 import { inputOf, partsOf, WANTED, wantedSections } from "../../static/calculators/crank-planetary/wanted.js";
 import { pasted } from "../../static/views/wanted_fields.js";
 import { INPUT, OPENAPI } from "./model.mjs";
-import "./service.mjs";
+import { openapi } from "./service.mjs";
 
 const number = { type: "number", minimum: -10, maximum: 10 };
 const list = { type: "array", items: number, "x-unit": "mm", "x-group": "deviations" };
@@ -583,4 +583,20 @@ test("the difference of teeth follows their numbers, and is asked for with a rat
 test("a field stands in one group: in two, what is left empty in one would be said by the other", () => {
   const groups = WANTED.flatMap(({ fields }) => Object.keys(fields));
   assert.deepEqual(groups.filter((path, index) => groups.indexOf(path) !== index), []);
+});
+
+test("forces alone are asked with what their endpoints know of a load, whatever the design says of it", () => {
+  const at = (schema) => schema.$ref ? openapi.components.schemas[schema.$ref.split("/").pop()] : schema;
+  const fieldsOf = (path, part) => {
+    const { properties } = at(openapi.paths[`/api/v1${path}`].post.requestBody.content["application/json"].schema);
+    return Object.keys(part ? at(properties[part]).properties : properties);
+  };
+  const every = Object.fromEntries(fieldsOf("/crank-planetary", "load").map((name) => [name, 1]));
+  for (const name of ["include", "samples"]) delete every[name]; // which the page does not send
+  const known = fieldsOf("/load-sharing", "load");
+  const asked = Object.keys(real.designOf({ ...DESIGN, load: every }).load);
+  assert.ok(asked.includes("output_torque_Nm"));
+  assert.deepEqual(asked.filter((name) => !known.includes(name)), []);
+  const ideal = calculator.figures.find(({ measures }) => measures === "contact-force").body({ ...DESIGN, load: every });
+  assert.deepEqual(Object.keys(ideal).filter((name) => name in every && !fieldsOf("/contact-force").includes(name)), []);
 });

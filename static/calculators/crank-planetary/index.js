@@ -11,7 +11,7 @@ import { DIAMETER, inDiameters } from "../../lib/units.js";
 import { message, quantityWords } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
-import { askedOf, cranksOf, fitted, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
+import { askedOf, cranksOf, fitted, loadOf, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
 import { BESIDE, inputOf, MADE, partedDeviations, partsOf, shaped, WANTED, wantedSections } from "./wanted.js";
 
@@ -21,11 +21,9 @@ const DESIGN = [ // parts that are judged beside the contact
 ];
 
 /** /cyclogram and /contact-force ask the mechanism's fields beside their own. */
-function forceBody({
-  mechanism: { revolutions, ...mechanism },
-  load: { input_speed_rpm, ring_speed_rpm, carrier_speed_rpm, peak_torque_Nm, peak_kind, torque_direction, ...load },
-}) {
-  return { ...askedOf(mechanism), ...load };
+function forceBody({ mechanism: { revolutions, ...mechanism }, load }) {
+  const { torque_direction, ...ideal } = loadOf(load);
+  return { ...askedOf(mechanism), ...ideal };
 }
 
 /** The body of a figure, of no more pairs than are drawn. */

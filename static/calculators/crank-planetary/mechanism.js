@@ -36,6 +36,13 @@ export function askedOf(mechanism = {}) {
   return Object.fromEntries(Object.entries(mechanism).filter(([name]) => !OF_RINGS.includes(name)));
 }
 
+const OF_STRENGTH = ["input_speed_rpm", "ring_speed_rpm", "carrier_speed_rpm", "application_factor", "peak_torque_Nm", "peak_kind"];
+
+/** A load as forces alone ask for it: without what only strength and life need. */
+export function loadOf(load = {}) {
+  return Object.fromEntries(Object.entries(load).filter(([name]) => !OF_STRENGTH.includes(name)));
+}
+
 /** Angles of the cranks against the first, degrees. */
 export function cranksOf({ output, satellites, crank_spacing_deg: spacing, crank_angles_deg: angles }) {
   if (output === "coupling") return [0];

@@ -5,7 +5,7 @@
 import { inTwoLines } from "../../lib/chart.js";
 import { formatAngle, formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
 import { message, quantityWords } from "../../messages/index.js";
-import { askedOf, eccentricityOf, fitted, MOST_PAIRS, refuseMore } from "./mechanism.js";
+import { askedOf, eccentricityOf, fitted, loadOf, MOST_PAIRS, refuseMore } from "./mechanism.js";
 import { columnsOf, partsOf } from "./wanted.js";
 
 /** What is left between pin and hole by their sizes, without the noise of binary differences. */
@@ -15,8 +15,9 @@ function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: ecc
 
 /** The parts that the real calculations share, as bodies say them; a clearance of its own stands for the hole. */
 export function designOf({
-  mechanism: { revolutions, ...mechanism } = {}, load: { force_exponent, input_speed_rpm, ring_speed_rpm, carrier_speed_rpm, peak_torque_Nm, peak_kind, ...load } = {}, contact = {}, besides = {},
+  mechanism: { revolutions, ...mechanism } = {}, load: given, contact = {}, besides = {},
 }) {
+  const { force_exponent, ...load } = loadOf(given);
   const { contact_law: law = {}, satellite_coupling: shared, lost_motion_torque_share: share } = besides;
   const { pin: { rotates, bolt, material: { tensile_strength_MPa, ...elastic } = {}, ...pin } = {}, rollers } =
     partsOf({ besides }, ["pin_strength", "rollers"]);
