@@ -80,7 +80,26 @@ class PositionOut(ResponseModel):
     )
 
 
-class OverTurnOut(ResponseModel):
+class LagTurnOut(ResponseModel):
+    """Extremes of lag and stiffness over the turn."""
+
+    transmission_error_arcmin: float = result(
+        "Transmission error under load: largest less least lag over the turn.", symbol="TE"
+    )
+    unloaded_transmission_error_arcmin: float = result(
+        "Transmission error without load: largest less least lag over the turn at which the "
+        "first pair touches.",
+        symbol="TE₀",
+    )
+    stiffness_min_Nm_per_arcmin: float = result(
+        "Least torsional stiffness over the turn.", symbol="dT/dθ"
+    )
+    stiffness_max_Nm_per_arcmin: float = result(
+        "Largest torsional stiffness over the turn.", symbol="dT/dθ"
+    )
+
+
+class OverTurnOut(LagTurnOut):
     """Extremes over the turn of the wave; the accuracy of the answer is that of the peak force."""
 
     BESIDE = ("pressure_MPa", "ring")
@@ -105,21 +124,6 @@ class OverTurnOut(ResponseModel):
     lost_motion_arcmin: float = result(
         "Largest rotation of the output between the two directions of a share of the torque.",
         equation="θ(+3 % T) − θ(−3 % T)",
-    )
-    transmission_error_arcmin: float = result(
-        "Transmission error under load: largest less least lag of the output over the turn.",
-        symbol="TE",
-    )
-    unloaded_transmission_error_arcmin: float = result(
-        "Transmission error without load: largest less least lag over the turn at which the "
-        "first pair touches.",
-        symbol="TE₀",
-    )
-    stiffness_min_Nm_per_arcmin: float = result(
-        "Least torsional stiffness over the turn.", symbol="dT/dθ"
-    )
-    stiffness_max_Nm_per_arcmin: float = result(
-        "Largest torsional stiffness over the turn.", symbol="dT/dθ"
     )
     loaded_pairs_min: int = result("Least number of pairs with a force.")
     loaded_pairs_max: int = result("Largest number of pairs with a force.")

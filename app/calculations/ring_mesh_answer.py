@@ -5,7 +5,7 @@ from typing import Literal
 import numpy as np
 
 from app.calculations.involute_teeth import InvoluteGeometryOut, InvoluteStressesOut
-from app.calculations.load_sharing_answer import StiffnessCurveOut
+from app.calculations.load_sharing_answer import LagTurnOut, StiffnessCurveOut
 from app.calculations.mechanism import PairOut
 from app.model import (
     AccuracyOut,
@@ -162,7 +162,7 @@ class TeethTurnOut(ResponseModel):
     pressed_without_load: bool = result("True if pairs press without load at any crank angle.")
 
 
-class MeshTurnOut(TeethTurnOut):
+class MeshTurnOut(LagTurnOut, TeethTurnOut):
     """Extremes over the turn of the crank; the accuracy of the answer is that of the peak force."""
 
     backlash_max_arcmin: float = result(
@@ -172,20 +172,6 @@ class MeshTurnOut(TeethTurnOut):
     lost_motion_arcmin: float = result(
         "Largest rotation of the discs between the two directions of a share of the torque.",
         equation="θ(+3 % T) − θ(−3 % T)",
-    )
-    transmission_error_arcmin: float = result(
-        "Transmission error under load: largest less least lag over the turn.", symbol="TE"
-    )
-    unloaded_transmission_error_arcmin: float = result(
-        "Transmission error without load: largest less least lag over the turn at which the "
-        "first pair touches.",
-        symbol="TE₀",
-    )
-    stiffness_min_Nm_per_arcmin: float = result(
-        "Least torsional stiffness over the turn.", symbol="dT/dθ"
-    )
-    stiffness_max_Nm_per_arcmin: float = result(
-        "Largest torsional stiffness over the turn.", symbol="dT/dθ"
     )
     input_torque_ripple_Nm: float = result(
         "Ripple of the input torque without friction: largest less least torque that turns the "
