@@ -472,7 +472,7 @@ class NoticeWords(ResponseModel):
 
     text: str = Field(description="Text of the warning.")
     title: str = Field(description="Title of the warning.")
-    tests: str = Field(description="Condition that is tested.")
+    tests: str = Field(description="Condition under which the warning is not given.")
     why: str = Field(description="Reason why the warning matters.")
     mend: str = Field(description="Advice on what to change.")
 

@@ -97,10 +97,10 @@ TEXTS = {code: each.text for code, each in REFUSALS.items()} | OF_REQUESTS | IN_
 words for each code."""
 
 KINDS = {
-    "bad-request": (400, "What was sent is no HTTP request."),
+    "bad-request": (400, "The bytes that were sent are no HTTP request."),
     "failure": (
         500,
-        "An error of the service, not of the input. Its log names the request by its id.",
+        "The service failed, not the input. The log of the service names the request by its id.",
     ),
     "headers-too-large": (
         431,
@@ -315,7 +315,7 @@ def _count(wrong: int) -> str:
 
 def too_long(limit_s: float) -> Problem:
     """Problem of a calculation that takes too long, now and later."""
-    return Problem("too-long", f"It was not done within {limit_s:g} s")
+    return Problem("too-long", f"The calculation was not done within {limit_s:g} s")
 
 
 def http_problem(error: HTTPException) -> Problem:

@@ -18,7 +18,7 @@ class Code:
     kind: Kind
     text: str  # a sentence without full stop; if `invalid`, the part after the parameter's name
     title: str = ""  # name of a warning
-    tests: str = ""  # quantity that a warning looks at
+    tests: str = ""  # condition under which it is not given
     why: str = ""  # consequence
     mend: str = ""  # remedy
 

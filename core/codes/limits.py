@@ -3,7 +3,7 @@
 from core.codes.code import limit
 
 _APPROXIMATION = {
-    "tests": "Whether the approximate peak is asked for where it is stated: 3 to 5 pins, 1 or 2 "
+    "tests": "The mechanism is one for which the approximate peak is stated: 3 to 5 pins, 1 or 2 "
     "satellites evenly spaced, linear contact.",
     "why": "Outside it drifts: by 10 % at 6 pins and by 40 % at 12.",
     "mend": "Use the exact peak force; the approximation is only shown beside it.",
@@ -29,7 +29,7 @@ OF_RESULTS = {
         "The strengths of the material hold up to {limit:.4g} mm of diameter: thicker pins are "
         "weaker.",
         title="Strength beyond its size",
-        tests="Whether the pin is as thin as the strengths of its material hold for.",
+        tests="The pin is no thicker than the strengths of its material hold for.",
         why="Thicker steel hardens less deep: it is weaker than the table says.",
         mend="Give the strengths of the material at this size.",
     ),
@@ -37,9 +37,9 @@ OF_RESULTS = {
         "Satellite {satellite} carries {share:.3g} of the torque, an even share is {even:.3g} "
         "({reason}).",
         title="Uneven sharing",
-        tests="Whether a satellite carries more than 1.1 times an even share of the torque.",
-        why="Its pins, its bearing and the crankshaft's bearings carry as much more: lives fall by "
-        "the third power.",
+        tests="Every satellite carries at most 1.1 times an even share of the torque.",
+        why="The pins and the bearing of such a satellite, and the crankshaft's bearings, carry as "
+        "much more: lives fall by the third power.",
         mend="Hold the pins at both ends, make them thicker or closer errors; see what `shares` "
         "says of the reason.",
     ),
@@ -47,7 +47,7 @@ OF_RESULTS = {
         "The contact would wrap around more than half of the pin: so far nothing is known of its "
         "pressure. Make the hole larger or the load smaller.",
         title="No theory for this contact",
-        tests="Whether the contact stays within a quarter of a turn to each side.",
+        tests="The contact stays within a quarter of a turn to each side.",
         why="Beyond it the pin would have to fill its hole; the pressure is not known.",
         mend="Enlarge the hole, lower the load or take a stiffer material.",
     ),
@@ -56,7 +56,7 @@ OF_RESULTS = {
         "such a curve cross, its tips are cut off, so that fewer pins carry than the ratio of the "
         "ring's forces is made for.",
         title="Lobes cut off",
-        tests="Whether the ring has one pin more than a satellite has lobes.",
+        tests="The ring has one pin more than a satellite has lobes.",
         why="With a larger difference the branches of the cycloid cross and its tips are cut off: "
         "fewer pins carry, and the ratio of the ring's forces is another.",
         mend="Choose a difference of 1, or give the ratio of the forces.",
@@ -66,7 +66,7 @@ OF_RESULTS = {
         "radii of the hole: less than 2, and the wall ovals around the pin, which is not "
         "calculated.",
         title="Wall too thin for this contact",
-        tests="Whether a wall as thick as the hole's radius stands around a contact that wraps.",
+        tests="A wall at least as thick as the hole's radius stands around a contact that wraps.",
         why="The pressure is that of a hole in a wide plane; a thin wall bends around the pin, "
         "the contact is wider, and the wall carries bending that is not calculated here.",
         mend="Move the holes away from the edge, or make them smaller.",
@@ -75,7 +75,7 @@ OF_RESULTS = {
         "The holes reach {beyond:.4g} mm beyond the nearest edge of the satellite: its bore, or "
         "the roots of its teeth.",
         title="Holes outside the satellite",
-        tests="Whether the holes lie within the satellite.",
+        tests="The holes lie within the satellite.",
         why="There is no wall that a pin could press on.",
         mend="Move the holes, make them smaller, or check the sizes of bore and teeth.",
     ),
@@ -83,8 +83,8 @@ OF_RESULTS = {
         "From the axis of a hole to the nearest edge of the satellite there are {distance:.3g} "
         "radii of the hole: the pressure, that of a wide plane, may be off by {error:.2g} of it.",
         title="Edge of the satellite near the hole",
-        tests="Whether the satellite reaches five radii of the hole around it, where the contact "
-        "wraps around its pin.",
+        tests="The satellite reaches five radii of the hole around it, where the contact wraps "
+        "around its pin.",
         why="A wall that is free bends around the pin, and the pressure is lower; one that is held "
         "gives less, and it is higher.",
         mend="Keep the pressure below its limit by so much, or move the holes away from the edge.",
@@ -93,7 +93,7 @@ OF_RESULTS = {
         "The largest pressure is {strain:.2g} of E*: the strains are no longer small, and the "
         "pressure is a guide.",
         title="Large strains",
-        tests="Whether the largest pressure stays below 2 % of E*.",
+        tests="The largest pressure is at most 2 % of E*.",
         why="Theories of contact add small displacements of shapes that stay; metals have yielded "
         "long before.",
         mend="Lower the pressure: a hole closer to its pin, a longer contact, a smaller load.",
@@ -102,7 +102,7 @@ OF_RESULTS = {
         "The half-width of the contact is {ratio:.4g} of the roller's radius: Hertz is off by more "
         "than 1 %.",
         title="Wide contact of the roller",
-        tests="Whether the contact is narrow beside the roller's radius.",
+        tests="The contact is narrow beside the roller's radius.",
         why="Hertz assumes a narrow contact.",
         mend="Enlarge the radius of the teeth or the roller, or lower the load.",
     ),
@@ -110,7 +110,7 @@ OF_RESULTS = {
         "The most loaded part bends by more than a tenth of its length: the formulas are those of "
         "small deflections.",
         title="Large deflection",
-        tests="Whether the deflection stays below a tenth of the length.",
+        tests="The deflection is at most a tenth of the length.",
         why="The formulas are those of small deflections; beyond that they are off by more than "
         "about 1 %.",
         mend="Lower the load, shorten the part or make it thicker.",
@@ -119,7 +119,7 @@ OF_RESULTS = {
         "The output turns by {share:.2g} of the eccentricity under load: clearance or compliance "
         "is large for such a mechanism.",
         title="Large rotation under load",
-        tests="Whether the output turns by little of the eccentricity under load.",
+        tests="The output turns by at most a tenth of the eccentricity under load.",
         why="Clearance or compliance is large for such a mechanism: pins leave the places at which "
         "the parts are meant to bear.",
         mend="Lower the clearance or the load, or stiffen the contacts.",
@@ -128,7 +128,7 @@ OF_RESULTS = {
         "The line of finite life is a fit for tensile strengths of {low:.4g} to {high:.4g} MPa; of "
         "{value:.4g} MPa its end is taken.",
         title="Life beyond its range",
-        tests="Whether the tensile strength is one that the line of finite life is a fit for.",
+        tests="The tensile strength is one that the line of finite life is a fit for.",
         why="Below and above, the strength at a thousand cycles is that of the nearest end of the "
         "fit: life and finite strength are a rough guide.",
         mend="Give a strength within the range, or judge by the endurance limit alone.",
@@ -136,7 +136,7 @@ OF_RESULTS = {
     "low_cycle_fatigue": limit(
         "The pin stands fewer than 1000 cycles: so few that the line of its life does not hold.",
         title="Few cycles",
-        tests="Whether the pin stands 1000 cycles.",
+        tests="The pin stands at least 1000 cycles.",
         why="The line of finite life holds from 1000 to a million cycles; below it the pin yields "
         "in every turn.",
         mend="Thicken the pin or lower the load.",
@@ -145,7 +145,7 @@ OF_RESULTS = {
         "The cluster was lost on the way: this service has calculated what was left, to the same "
         "numbers.",
         title="Cluster lost",
-        tests="Whether the cluster that this service has for studies gave all their pieces.",
+        tests="The cluster that this service has for studies gave all their pieces.",
         why="Without it a study takes longer, and others wait for it.",
         mend="Tell who runs the service; ask for the end of such studies if they take too long.",
     ),
@@ -153,7 +153,7 @@ OF_RESULTS = {
         "None of the pieces fits: more of them would not help; larger clearances or smaller "
         "tolerances do.",
         title="No piece fits",
-        tests="Whether any of the pieces goes together at all crank angles.",
+        tests="At least one of the pieces goes together at all crank angles.",
         why="Percentiles of what cannot be put together say nothing.",
         mend="Enlarge the clearance, or tighten what does most to the fit.",
     ),
@@ -161,14 +161,14 @@ OF_RESULTS = {
         "The factor of the notch is a fit for tensile strengths of {low:.4g} to {high:.4g} MPa; of "
         "{value:.4g} MPa its end is taken.",
         title="Notch beyond its range",
-        tests="Whether the tensile strength is one that the notch's fit is made for.",
+        tests="The tensile strength is one that the notch's fit is made for.",
         why="Below and above, the sensitivity to the notch is that of the nearest end of the fit.",
         mend="Give the fatigue notch factor itself.",
     ),
     "seat_rigid": limit(
         "The seats of the ring's pins are taken as rigid: what they give makes the mesh softer.",
         title="Rigid seats of the ring's pins",
-        tests="Whether it is known what the seats of the ring's pins give.",
+        tests="The stiffness of the seats of the ring's pins is known.",
         why="A pin in half a bore is a second contact in series with that on the satellite, and so "
         "is the ring that holds it.",
         mend="Give the stiffness of a seat, measured or calculated.",
@@ -177,7 +177,7 @@ OF_RESULTS = {
         "The contact ratio is {contact_ratio:.3g}: before one pair of teeth is out of contact no "
         "other is in it, and the motion is not handed on.",
         title="Too short a path of contact",
-        tests="Whether a pair of teeth is in contact before another is out of it.",
+        tests="A pair of teeth is in contact before another is out of it.",
         why="Below 1 there are positions in which no flanks touch.",
         mend="Make the addenda larger.",
     ),
@@ -185,14 +185,14 @@ OF_RESULTS = {
         "The teeth run into each other, or touch where they are no involutes: the numbers are "
         "those of teeth that would not.",
         title="Teeth that interfere",
-        tests="Whether tips pass each other, and flanks touch only where they are involutes.",
-        why="What lies in the way is cut off by force: such teeth do not turn.",
+        tests="Tips pass each other, and flanks touch only where they are involutes.",
+        why="Material in the way is cut off by force: such teeth do not turn.",
         mend="Make the addenda smaller, or the profile shift of the ring larger.",
     ),
     "teeth_press": limit(
         "The teeth are thicker than their spaces at this eccentricity: they press on both flanks.",
         title="Teeth without backlash",
-        tests="Whether the spaces of the ring have room for the satellite's teeth.",
+        tests="The spaces of the ring have room for the satellite's teeth.",
         why="The eccentricity is larger than that at which teeth fill their spaces.",
         mend="Make the eccentricity smaller, or the profile shift of the ring larger.",
     ),
@@ -200,7 +200,7 @@ OF_RESULTS = {
         "The flanks of the lobes are turned against each other, which adds to the gaps where pins "
         "press; tips and roots are left out.",
         title="Flanks that are turned",
-        tests="Whether the whole outline of the lobes is known.",
+        tests="The whole outline of the lobes is known: no flank is turned.",
         why="A turned flank says nothing of the tips and roots between two flanks.",
         mend="Use equidistant and pin circle offsets, whose outline is known.",
     ),
@@ -209,7 +209,7 @@ OF_RESULTS = {
         "between both, and forces, play and stiffness are those of both, on bearings of the "
         "cranks that give where these are stated, else on rigid ones.",
         title="Both meshes in series",
-        tests="Whether both meshes are solved together.",
+        tests="Each mesh is solved by itself.",
         why="A disc turns in its ring until the pins take as much of it as the teeth give: neither "
         "mesh holds the other's half of it still.",
         mend="State another coupling of the satellites to see either mesh by itself.",
@@ -218,7 +218,7 @@ OF_RESULTS = {
         "The mesh with the ring and that with the pins are solved each by itself: in series they "
         "have {forces:d} forces over the turns, more than {limit:d}.",
         title="Meshes solved apart",
-        tests="Whether both meshes are few enough pairs and turns to be solved together.",
+        tests="Both meshes have few enough pairs and turns to be solved together.",
         why="In series discs find their place between both meshes: there is more play, and the "
         "ring relieves the bearings on the cranks less.",
         mend="Take pins of the ring without listed deviations, which repeat sooner, or ask "
@@ -228,7 +228,7 @@ OF_RESULTS = {
         "Pins and holes press without load: there is no play, and the mechanism can be assembled "
         "only by force.",
         title="Pressed without load",
-        tests="Whether pins and holes are free of each other without load.",
+        tests="No pin presses without load.",
         why="Errors or interference use up the clearance: there is no play, and assembly needs "
         "force.",
         mend="Enlarge the clearance, or tighten the tolerances of place.",
@@ -237,8 +237,7 @@ OF_RESULTS = {
         "The reference depth is {ratio:.3g} times the hole's radius; from {low} to {high} a "
         "half-space stands for a hole.",
         title="Reference depth out of range",
-        tests="Whether the depth to which the hole's approach is counted is near the hole's "
-        "radius.",
+        tests="The depth to which the hole's approach is counted is near the hole's radius.",
         why="A half-space stands for the hole only there; the stiffness is off elsewhere.",
         mend="Take a depth of half to one and a half hole radii, or leave it out.",
     ),
@@ -246,7 +245,7 @@ OF_RESULTS = {
         "Satellite {satellite} carries nothing over the whole turn, as others touch before it: its "
         "bearing has no life, and that of all together is theirs.",
         title="A satellite that carries nothing",
-        tests="Whether every satellite carries somewhere over the turn.",
+        tests="Every satellite carries somewhere over the turn.",
         why="Other satellites touch before it all the way round: they take its share, and its "
         "bearing has no life.",
         mend="Tighten the tolerances of place, turn the disc to the others, or let the satellites "
@@ -256,7 +255,7 @@ OF_RESULTS = {
         "The bolt alone is taken to be the pin, the spacer only what touches the hole: no preload "
         "is given, or the spacer opens or slips at the carrier.",
         title="The bolt bends alone",
-        tests="Whether the preload holds the spacer to the carrier.",
+        tests="The preload holds the spacer to the carrier.",
         why="A spacer that gapes or slips carries no bending: the bolt bends by itself.",
         mend="Give the preload, raise it, or take a wider spacer.",
     ),
@@ -264,7 +263,7 @@ OF_RESULTS = {
         "The factor of the size is stated for diameters of {low:.4g} to {high:.4g} mm; it is "
         "{value:.4g} mm.",
         title="Size beyond its range",
-        tests="Whether the diameter is one that the factor of the size is stated for.",
+        tests="The diameter is one that the factor of the size is stated for.",
         why="Outside, the factor is extended, not tested: thick parts may be weaker.",
         mend="Give the endurance limit of the part itself.",
     ),
@@ -272,7 +271,7 @@ OF_RESULTS = {
         "A contact line comes close to phi = 0, where the load has no arm: the line load is "
         "concentrated there, more than elastic rollers would let it be.",
         title="Small arm of the load",
-        tests="Whether a contact line comes close to φ = 0.",
+        tests="Every contact line stays away from φ = 0.",
         why="There the load has hardly an arm about the axis: the line load grows steeply, more "
         "than elastic rollers would let it.",
         mend="Move the end of the line away from the precession centre.",
@@ -281,7 +280,7 @@ OF_RESULTS = {
         "The operating pressure angle of the teeth is above 55°: the ring presses the satellites "
         "more than it turns them.",
         title="Steep teeth",
-        tests="Whether the operating pressure angle of the teeth is at most 55°.",
+        tests="The operating pressure angle of the teeth is at most 55°.",
         why="Few teeth of difference need a large angle; then the ring presses the satellites "
         "apart more than it turns them.",
         mend="Make the eccentricity smaller or the module larger.",
@@ -289,7 +288,7 @@ OF_RESULTS = {
     "too_few_fit": limit(
         "Percentiles are left out for which {fits} pieces that fit are too few.",
         title="Too few fit",
-        tests="Whether enough pieces fit for every percentile.",
+        tests="Enough pieces fit for every percentile.",
         why="A rare percentile needs many pieces.",
         mend="Draw more pieces, or make more of them fit.",
     ),
@@ -297,7 +296,7 @@ OF_RESULTS = {
         "The limits of roller {roller} lie on the flank that the torque unloads: the loaded one is "
         "half a turn of phi further, with the same force.",
         title="Limits on the unloaded flank",
-        tests="Whether the given limits of φ lie on the flank that the torque loads.",
+        tests="The given limits of φ lie on the flank that the torque loads.",
         why="The loaded flank is half a turn further; the force is the same, its place is not.",
         mend="Add or take away 180° at both limits, or reverse the torque.",
     ),

@@ -1,30 +1,30 @@
 """Reasons for the status of a check that the numbers do not show."""
 
 UNKNOWN = {
-    "above_any": "It is above all that the material may bear: by what is known of it, or by the "
-    "strongest of its kind",
+    "above_any": "The value is above all that the material may bear: by what is known of it, or by "
+    "the strongest of its kind",
     "bearing_overloaded": "The load is beyond what the formula of the life is made for",
     "cannot_be": "The parts cannot be put together, or cannot move: no force is known",
     "bearing_slips": "The bearing carries too little for its rolling elements to roll",
     "envelope_unknown": "The sizes of the bearing are not given",
     "no_peak_torque": "No peak torque is given",
     "no_sourced_limit": "Nobody asked for a limit, and no source gives one for such parts",
-    "range_decides": "It fails at one end of the range of what is not given here, and holds at the "
-    "other: enter it",
+    "range_decides": "The check fails at one end of the range of what is not given here, and holds "
+    "at the other: enter it",
     "rating_high": "The rating is higher than that of any known bearing of these sizes",
     "rating_low": "The rating is less than a twentieth of what fits: is it given in kN?",
-    "thin_wall": "It is thinner than usual",
-    "near_undercut": "It is close to where the pins of the ring cut off a part of the flanks: "
-    "errors of the parts may take what is left",
-    "less_than_usual": "It is less than usual: errors of the parts may take what is left",
+    "thin_wall": "The wall or space is thinner than usual",
+    "near_undercut": "The outline is close to where the pins of the ring cut off a part of the "
+    "flanks: errors of the parts may take what is left",
+    "less_than_usual": "The value is less than usual: errors of the parts may take what is left",
     "unusual_teeth": "Only unusual teeth mesh, if any: very low ones, with large profile shifts, "
     "or with hardly any room between the tips",
     "internal_root": "The roots of the ring's teeth are not calculated",
     "no_crossing": "The circles of the tips do not cross",
-    "ring_flank_unknown": "It holds of the satellite's flanks; those of the ring hang on its "
-    "cutter, which is not given",
-    "ring_root_assumed": "It holds of a ring whose roots are as deep as the hob makes those of "
-    "the satellite: the ring's cutter is not given",
+    "ring_flank_unknown": "The check holds for the satellite's flanks; the ring's flanks depend on "
+    "its cutter, which is not given",
+    "ring_root_assumed": "The check holds for a ring whose roots are as deep as the hob makes "
+    "those of the satellite: the ring's cutter is not given",
     "root_strength_unknown": "No strength of the roots is given",
     "teeth_given": "The teeth are given, and judged themselves",
     "tips_overlap": "The tips overlap all round: no tooth can pass another",
@@ -42,8 +42,8 @@ UNKNOWN = {
     "creeps in step with the load up to half of it, which is a quarter of the torque; of PLA it "
     "says nothing. Enter the factor that a test of a day under load gives",
     "cranks_deviate": "The balance is known of cranks without deviations only",
-    "default_decides": "It fails by a value that is assumed, and holds at the mild end of what is "
-    "usual: enter it",
+    "default_decides": "The check fails by a value that is assumed, and holds at the mild end of "
+    "what is usual: enter it",
     "direction_unknown": "Across its layers no strength of this material is known: say that they "
     "lie flat, enter that strength, or take pins of metal",
     "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a "
@@ -66,8 +66,8 @@ UNKNOWN = {
     "losses_left_out": "Bearings of the satellites and of the crankshaft, and seals, lose besides: "
     "their losses are not in it",
     "mass_unknown": "No mass of a satellite is given",
-    "necessary_only": "It holds, which is necessary and not enough: once, cold, dry, of solid "
-    "material",
+    "necessary_only": "The condition holds, which is necessary and not enough: once, cold, dry, of "
+    "solid material",
     "no_plastic_fatigue": "No source says how many turns such a plastic bears: run the pair under "
     "its load for as long as it is to last",
     "not_printed": "Only printed parts have infill behind their walls",
@@ -84,8 +84,8 @@ UNKNOWN = {
     "temperature_unknown": "The temperature of the part is not given",
     "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
     "members_locked": "The members turn as one: nothing rolls or slides",
-    "no_involute": "It is one of involute teeth",
-    "no_ring_pins": "It is one of cycloid discs on the pins of a ring",
+    "no_involute": "No involute teeth are given",
+    "no_ring_pins": "No cycloid discs on the pins of a ring are given",
     "no_life_curve": "How the limit falls over the life is not known for this material: it is left "
     "out",
     "no_limit": "No limit was asked",
@@ -94,8 +94,8 @@ UNKNOWN = {
     "plastic_first": "The first turns yield; the contact settles after that",
     "pressure_error": "The limit lies within the error of the value",
     "pins_in_seats": "The pins of the ring lie in half bores, where they do not bend",
-    "ring_alone": "Of each disc by itself in its ring: in series with the pins discs find places "
-    "of their own",
+    "ring_alone": "The value is that of each disc by itself in its ring: in series with the pins "
+    "discs find places of their own",
     "pins_bend": "The pins of the ring are held at both ends, and bend",
     "no_tool": "No tool of the discs is given",
     "no_valley": "The discs are nowhere concave",

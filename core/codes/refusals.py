@@ -78,9 +78,9 @@ IMPOSSIBLE = {
     "not_stable": "The forces do not hold the output: its torque falls as it turns on",
     "no_radius_left": "A deviation leaves nothing of the radius of pin {pin} of the ring, or of "
     "the crank of satellite {satellite}",
-    "outside_method": "It lies outside of what the method is made for: of involute teeth 1 to 8 "
-    "more in the ring and a reference pressure angle of 14.5 to 30 degrees, of both meshes in "
-    "series cycloid discs on ring pins",
+    "outside_method": "The mechanism lies outside of what the method is made for: of involute "
+    "teeth 1 to 8 more in the ring and a reference pressure angle of 14.5 to 30 degrees, of both "
+    "meshes in series cycloid discs on ring pins",
     "overflow": "The numbers given leave the range of numbers: {names} would not be finite",
     "teeth_not_whole": "Flanks are cut away at their roots, or teeth or spaces are pointed: there "
     "is no outline to draw",

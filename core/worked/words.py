@@ -16,8 +16,8 @@ NOTES = {
     "least_support": "The sum runs over the driving pairs at the switching angle where it is "
     "smallest.",
     "of_shafts": "Two shafts that pins couple turn alike, and the wave with them.",
-    "powers_out": "What leaves by the members whose torque turns against their speed.",
-    "willis": "Of one planet gear: n_in + u·n_c = (u + 1)·n_r.",
+    "powers_out": "The output power leaves by the members whose torque turns against their speed.",
+    "willis": "Every planetary gear obeys n_in + u·n_c = (u + 1)·n_r.",
     "narrow": "Hertz's theory asks for a contact much narrower than the pin.",
     "integral_equation": "By the equation of a disc in a hole, solved for λ, α and β.",
     "edge_tension": "Hoop tension in the rim of the hole at the ends of the contact.",
@@ -36,8 +36,9 @@ NOTES = {
     "sharing": "The rollers close in the order of their gaps; as many carry as the force needs.",
     "gaps": "(n·F_m/c + Σg)/m: the sum runs over the gaps of the rollers that carry. A tolerance "
     "means one roller ahead of the others by 4χ.",
-    "quadrature": "∫ √(1 + (ρ·A·sin φ₁ / (A² + 2·A·z·cos φ₁ + z²))²) dz between its ends. It has "
-    "no pole; here it is computed numerically. The first roller; the others go the same way.",
+    "quadrature": "∫ √(1 + (ρ·A·sin φ₁ / (A² + 2·A·z·cos φ₁ + z²))²) dz between its ends. The "
+    "integral has no pole; here it is computed numerically. The first roller is shown; the others "
+    "go the same way.",
     "others": "The sum over all rollers.",
     "flank": "The first roller; k half-turns lead to the flank that carries.",
     "no_axial": "The normals of the rollers have no part along the axis.",
@@ -55,15 +56,16 @@ NOTES = {
     "tabled": "By the reliability asked.",
     "in_stress": "The stress concentration is in the stress already; it counts once.",
     "comes_and_goes": "The stress comes and goes: from nothing to its largest.",
-    "most_bent": "Of both ends of every stretch the one that is bent most.",
-    "worst_section": "Of both ends of every stretch the one that uses most of its fatigue "
-    "strength.",
-    "worst_cycle": "Of all sections and directions the one that uses most of the fatigue strength.",
+    "most_bent": "Both ends of every stretch are compared; the one that is bent most counts.",
+    "worst_section": "Both ends of every stretch are compared; the one that uses most of its "
+    "fatigue strength counts.",
+    "worst_cycle": "All sections and directions are compared; the one that uses most of the "
+    "fatigue strength counts.",
     "criterion": "By the criterion chosen.",
     "finite_life": "By the line from 1000 cycles to a million.",
     "turns_in_radians": "A speed counts in radians a second here: 2·π for each turn.",
-    "deflected": "Of the beam with its shear under the forces of all satellites, at satellite "
-    "{satellite}; the largest over the turn.",
+    "deflected": "The beam with its shear bends under the forces of all satellites; the value is "
+    "that at satellite {satellite}, the largest over the turn.",
     "mean_of_turn": "Mean over the turn of the sum of all contact forces, as a share of T/R.",
     "mean_of_mesh": "Mean over the turn of the ring's mesh, as it is solved.",
     "over_turn": "Over the turn.",
@@ -74,7 +76,7 @@ NOTES = {
     "equivalent_load": "The mean over the turn of the load to the power p, its root; satellite "
     "{satellite}.",
     "reliable": "L₁₀ times the factor of ISO 281 for {percent} %.",
-    "together": "That none of the bearings fails before.",
+    "together": "The life counts until the first of the bearings fails.",
     "shortened": "ρ = −(2 − (1 − k²)/k·ln((1 + k)/(1 − k)))/(π·k), of many pins that share as "
     "linear contacts do.",
     "reaction": "√(X² + Y²) from the balance of the shaft, the largest over the turn.",
@@ -95,9 +97,9 @@ NOTES = {
     "about_y": "q_C times the sum over the lines of ∫ A·(z − l)/z ds, computed numerically; s is "
     "the length along each line.",
     "own_torque": "The torque itself.",
-    "ideal_beside_solved": "These steps are of the ideal mechanism, without clearance, errors and "
-    "bending. What is judged are the forces that are solved: the real peak force and all that "
-    "rests on it.",
+    "ideal_beside_solved": "The steps are those of the ideal mechanism, without clearance, errors "
+    "and bending. The forces that are solved are judged: the real peak force and all that rests on "
+    "it.",
     "decades_left": "ln(10⁶/N_L)/ln 1000: at a million cycles nothing is left, and the strength is "
     "the endurance limit.",
     "of_bending": "The bending stress.",
@@ -105,14 +107,15 @@ NOTES = {
     "of_distances": "By the distances of pins and holes, searched over the turn.",
     "simulated": "Counted over random pieces.",
     "root": "Found by narrowing a range until the result is what is wanted.",
-    "sharpest": "Of flanks or tip, by how much the path is shortened.",
-    "many_ring_pins": "Of perfect parts on many pins, contacts linear.",
+    "sharpest": "The sharpest place lies on the flanks or at the tip, by how much the path is "
+    "shortened.",
+    "many_ring_pins": "The formula holds for perfect parts on many pins, contacts linear.",
     "hardest_pin": "Satellite {satellite}, pin {pin}, where the pressure is largest.",
     "felt": "Less than decimals lose: taken as none.",
     "ring_load": "W·√(1 + ρ²), the largest over the turn, by W = T_j/(e·u); satellite {satellite}.",
-    "crank_load": "Of satellite {satellite} where the reaction of {letter} is largest: W = "
-    "T_j/(e·u) by its part of the torque, along the crank Q = ρ·|W| and the sum of its pins' "
-    "forces.",
+    "crank_load": "Satellite {satellite} loads its crank so where the reaction of {letter} is "
+    "largest: W = T_j/(e·u) by its part of the torque, along the crank Q = ρ·|W| and the sum of "
+    "its pins' forces.",
     "unbalanced": "Reaction to the centrifugal forces of satellites and counterweights.",
     "vectors": "m·e of each satellite and the unbalance of each counterweight, added as vectors by "
     "their angles α.",

@@ -465,7 +465,7 @@ def test_what_is_drawn_of_older_inputs_says_so(page: Page, service: str) -> None
     page.route("**/contact-force/chart*", lambda route: held.append(route))
     box(page, "load.output_torque_Nm").fill("60")
     settled(page)
-    expect(marks.filter(visible=True)).to_have_text(["Of older inputs"] * 2)
+    expect(marks.filter(visible=True)).to_have_text(["Older inputs"] * 2)
     assert page.locator(".mechanism").bounding_box() == room
     for route in held:
         route.continue_()
