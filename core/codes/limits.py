@@ -225,8 +225,8 @@ OF_RESULTS = {
         "load-sharing at single crank angles.",
     ),
     "pressed_without_load": limit(
-        "Pins press without load, in their holes or on the teeth: there is no play, and the parts go "
-        "together only by force.",
+        "Pins press without load, in their holes or on the teeth: there is no play, and the parts "
+        "go together only by force.",
         title="Pressed without load",
         tests="No pin presses without load.",
         why="Errors or interference use up the clearance: there is no play, and assembly needs "

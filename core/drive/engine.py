@@ -1885,7 +1885,7 @@ def count_from(lag: float, onset: int, w: Table) -> None:
 def law_alone(
     kind: int, d: float, i: int, exponent: float, cf: Table, table: Row, w: Table
 ) -> tuple[float, float]:
-    """Force, N, and stiffness, N/m, of pair i by the law `kind` at an approach d > 0, m."""
+    """Force, N, and stiffness, N/m, of pair i by a law, at an approach d > 0, m."""
     if kind == LINEAR:
         return d / cf[i, A], 1 / cf[i, A]
     if kind == HERTZ:
