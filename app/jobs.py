@@ -4,36 +4,33 @@ A job is a function of a module whose first argument takes the parts of its resu
 one socket and does one job at a time. A job that is abandoned or takes too long is ended with its
 process, which is replaced in the background; so is a process that is killed.
 
-Processes come from a fork server that has imported all modules they need, which takes about a tenth
-of a second. A process ends once its socket is closed, so that none outlives its owner.
+Processes come from a fork server (`app.forkserver`) that has imported all modules they need, which
+takes about a tenth of a second. A process ends once its socket is closed, so that none outlives its
+owner.
 """
 
 import asyncio
 import logging
 import math
-import multiprocessing
-import multiprocessing.util
 import os
 import pickle
-import select
 import signal
 import socket
-import threading
+import subprocess
+import sys
 import time
 import weakref
 from collections import deque
 from collections.abc import AsyncGenerator, Callable, Iterable
 from contextlib import suppress
-from multiprocessing import forkserver
-from multiprocessing.process import BaseProcess
+from functools import cache
 from typing import Any, Self
 
 LOG = logging.getLogger("khv.jobs")
 
-CONTEXT = multiprocessing.get_context("forkserver")  # processes with threads must not fork
-
-START_S = 60.0
-"""Time after which a forked process that does not answer counts as unable to start, s."""
+START_S = 600.0
+"""Time after which a process that has not started counts as unable to, s; the fork server may
+compile the engine first."""
 
 CHECK_S = 1.0
 """Interval at which idle processes are checked, s."""
@@ -83,12 +80,11 @@ class Jobs:
     """
 
     def __init__(self, *, processes: int, waiting: int, preload: Iterable[str] = ()) -> None:
-        CONTEXT.set_forkserver_preload(list(preload))
+        self._server = _server(tuple(preload))
         self.processes = processes or os.cpu_count() or 1
         self._most_waiting = waiting
         self._children: set[_Child] = set()
         self._free: list[_Child] = []
-        self._ended: list[BaseProcess] = []
         self._starting: set[asyncio.Task[None]] = set()
         self._waiting: dict[str, deque[asyncio.Future[_Child]]] = {}
         self._keeper: asyncio.Task[None] | None = None
@@ -116,7 +112,7 @@ class Jobs:
         for child in self._children:
             child.kill()  # a running job gets an error
         if self._starting and not self._able:
-            _end_server()
+            self._server.end()  # it does not react while it imports
         self._refuse_waiting()
 
     def admit(self, client: str = "") -> None:
@@ -228,7 +224,6 @@ class Jobs:
         """End a process, and start another one in the background."""
         self._children.discard(child)
         child.end()
-        self._ended.append(child.process)
         self._start_missing()
 
     def _refuse_waiting(self) -> None:
@@ -246,13 +241,11 @@ class Jobs:
             task.add_done_callback(self._starting.discard)
 
     async def _start_one(self) -> None:
-        """Start a process, in place of an ended one if there is one."""
-        former, child = self._ended.pop() if self._ended else None, None
+        child = None
         try:
-            # The fork server may compile the engine before it forks, which has to be waited for.
-            child = await asyncio.to_thread(_started, former)
+            child = self._server.fork()
             async with asyncio.timeout(START_S):
-                await child.receive()
+                (child.pid,) = await child.receive()
         except Exception as error:
             LOG.warning("a process for calculations could not be started: %r", error)
             if not self._children:
@@ -265,7 +258,6 @@ class Jobs:
         finally:
             if child is not None:
                 child.end()
-                self._ended.append(child.process)
 
     async def _keep(self) -> None:
         """Start missing processes, and replace idle ones that died."""
@@ -281,15 +273,13 @@ class _Child:
     """Process that does one job after another, with its socket.
 
     A message is a pickled tuple after eight bytes of its length: parts of a result, or empty at the
-    end of a job and at the start.
+    end of a job. The first one is the process's id.
     """
 
-    def __init__(self, process: BaseProcess, ours: socket.socket) -> None:
-        self.process, self.socket = process, ours
+    def __init__(self, ours: socket.socket) -> None:
+        self.pid, self.socket = 0, ours
         self.received = bytearray()
         weakref.finalize(self, ours.close)
-        # At exit this runs before multiprocessing waits for children, in forked processes too.
-        multiprocessing.util.Finalize(self, _kill, (process,), exitpriority=0)
 
     async def send(self, message: object) -> None:
         await asyncio.get_running_loop().sock_sendall(self.socket, pickle.dumps(message))
@@ -312,7 +302,7 @@ class _Child:
         return taken
 
     def gone(self) -> bool:
-        """True if the process of an idle child has ended."""
+        """True if the process has ended."""
         try:
             return not self.socket.recv(1, socket.MSG_PEEK)
         except BlockingIOError:
@@ -322,8 +312,9 @@ class _Child:
 
     def kill(self) -> None:
         with suppress(OSError):  # the process may have ended itself
+            if self.pid and not self.gone():
+                os.kill(self.pid, signal.SIGKILL)
             self.socket.shutdown(socket.SHUT_RDWR)
-        self.process.kill()
 
     def end(self) -> None:
         """End the process without waiting for an answer."""
@@ -331,67 +322,40 @@ class _Child:
         self.socket.close()
 
 
-STARTING = threading.Lock()
-"""Lock for starting processes: multiprocessing walks through all of them, and none may be closed
-then."""
+class _Server:
+    """Fork server with some modules, started with the first process and anew if it has ended."""
 
+    def __init__(self, preload: tuple[str, ...]) -> None:
+        self.preload = preload
+        self.process: subprocess.Popen[bytes] | None = None
 
-def _started(former: BaseProcess | None) -> _Child:
-    """New process, started after the previous one ended."""
-    if former is not None:
-        with suppress(ValueError):  # closed already
-            former.join(START_S)
-            with STARTING:
-                former.close()
-    ours, theirs = socket.socketpair()
-    with theirs:
+    def fork(self) -> _Child:
+        """Ask for a process, which starts once the server has imported its modules."""
+        if self.process is None or self.process.poll() is not None:
+            self._start()
+        ours, theirs = socket.socketpair()
         ours.setblocking(False)
-        process = CONTEXT.Process(target=_serve, args=(theirs,), daemon=True)
-        child = _Child(process, ours)
-        with STARTING:
-            process.start()
-    return child
+        with theirs:
+            socket.send_fds(self.socket, [b"."], [theirs.fileno()])
+        return _Child(ours)
+
+    def _start(self) -> None:
+        self.end()
+        self.socket, theirs = socket.socketpair()
+        with theirs:
+            self.process = subprocess.Popen(
+                [sys.executable, "-m", "app.forkserver", str(theirs.fileno()), *self.preload],
+                stdin=subprocess.DEVNULL,
+                pass_fds=[theirs.fileno()],
+                env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)},
+            )
+
+    def end(self) -> None:
+        """End the server; its processes live on."""
+        if self.process is not None:
+            self.process.kill()
+            self.process.wait()
+            self.socket.close()
 
 
-def _end_server() -> None:
-    """End the fork server, which does not react while it imports; multiprocessing starts another
-    one on demand once this one has ended.
-    """
-    if pid := forkserver._forkserver._forkserver_pid:  # type: ignore[attr-defined]
-        with suppress(ProcessLookupError, ChildProcessError):  # another place waits for it
-            os.kill(pid, signal.SIGKILL)
-            os.waitid(os.P_PID, pid, os.WEXITED | os.WNOWAIT)
-
-
-def _kill(process: BaseProcess) -> None:
-    with suppress(AttributeError, ValueError):  # not started yet, or closed already
-        process.kill()
-
-
-def _serve(pipe: socket.socket) -> None:
-    """Do jobs until the other end of the pipe is closed. Signals are ignored, as a signal to the
-    whole group would lose jobs that the owner wants to finish.
-    """
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, signal.SIG_IGN)
-    threading.Thread(target=_end_with, args=(pipe,), daemon=True).start()
-
-    def tell(*parts: Any) -> None:
-        content = pickle.dumps(parts)
-        pipe.sendall(len(content).to_bytes(8, "big") + content)
-
-    owner_gone = suppress(EOFError, pickle.UnpicklingError, ConnectionError)
-    with owner_gone, pipe.makefile("rb") as jobs:
-        tell()
-        while True:
-            job, args = pickle.load(jobs)
-            job(tell, *args)
-            tell()
-
-
-def _end_with(pipe: socket.socket) -> None:
-    """End this process once the other end of the pipe is closed, even within a job."""
-    hang_up = select.poll()
-    hang_up.register(pipe, 0)  # an event mask of 0 still reports a closed pipe
-    hang_up.poll()
-    os._exit(1)
+_server = cache(_Server)

@@ -2,6 +2,8 @@
 
 import asyncio
 import json
+import os
+import signal
 from functools import partial
 
 import httpx
@@ -205,7 +207,7 @@ async def test_a_batch_that_is_under_way_is_not_refused_for_a_full_queue(held):
             refused, _ = await asyncio.wait(singles, return_when=asyncio.FIRST_COMPLETED)
             await asyncio.sleep(0.01)
         (child,) = app.state.jobs._children
-        child.process.kill()
+        os.kill(child.pid, signal.SIGKILL)
         held.let()
         results = (await asked).json()["results"]
         statuses = [each.status_code for each in await asyncio.gather(*singles)]

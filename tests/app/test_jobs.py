@@ -6,9 +6,7 @@ import os
 import random
 import signal
 import sys
-import threading
 from collections import Counter
-from multiprocessing import forkserver
 from pathlib import Path
 
 import pytest
@@ -37,7 +35,7 @@ async def started():
 
 
 def pids(jobs):
-    return {child.process.pid for child in jobs._children}
+    return {child.pid for child in jobs._children}
 
 
 async def all_of(jobs, *asked, told=None, **limits):
@@ -226,46 +224,21 @@ def test_a_server_that_is_still_importing_is_not_waited_for(tmp_path):
     ran(sys.executable, "main.py", cwd=tmp_path, env=environment)
 
 
-def test_a_server_that_is_ended_is_gone_for_who_starts_the_next_process():
-    """A dying server was asked again by multiprocessing, and jobs were refused."""
-    forkserver.ensure_running()
-    server = forkserver._forkserver._forkserver_pid
-    module._end_server()
-    assert not lives(server)
-    module._end_server()  # that has ended before
-    module._started(None).end()
-
-
-async def test_a_process_has_its_time_to_start_once_its_server_has_forked_it(monkeypatch):
-    """A server that compiles the loops first is waited for, however long that takes."""
-    forking, forked, timed = threading.Event(), threading.Event(), []
-    started, timeout = module._started, asyncio.timeout
-
-    def compiles_first(former):
-        forking.set()
-        forked.wait()
-        return started(former)
-
-    def noted(limit_s):
-        timed.append(limit_s)
-        return timeout(limit_s)
-
-    monkeypatch.setattr(module, "_started", compiles_first)
-    monkeypatch.setattr(asyncio, "timeout", noted)
-    async with Jobs(processes=1, waiting=8, preload=PRELOAD) as jobs:
-        await until(forking.is_set)
-        before = [*timed]
-        forked.set()
-        await until(lambda: jobs.ready)
-    assert not before and timed == [module.START_S]
+async def test_a_server_that_is_killed_is_started_anew(started):
+    before, server = pids(started), started._server.process.pid
+    for pid in (server, *before):
+        os.kill(pid, signal.SIGKILL)
+    await until(lambda: len(pids(started) - before) == 2)
+    assert await all_of(started, jobs_to_run.counts, 1, limit_s=60) == [0]
+    assert started._server.process.pid != server and not lives(server)
 
 
 async def test_where_no_process_can_be_started_jobs_are_refused_until_one_can(monkeypatch):
-    def fails(former):
+    def fails(server):
         raise OSError("no more processes")
 
     with monkeypatch.context() as patched:
-        patched.setattr(module, "_started", fails)
+        patched.setattr(module._Server, "fork", fails)
         async with Jobs(processes=2, waiting=8, preload=PRELOAD) as jobs:
             waiting = [
                 asyncio.create_task(all_of(jobs, jobs_to_run.counts, 1, limit_s=60))

@@ -62,7 +62,7 @@ def service(**limits):
 
 def processes_of(app):
     """Process ids of what calculates for a service."""
-    return {child.process.pid for child in app.state.jobs._children}
+    return {child.pid for child in app.state.jobs._children}
 
 
 async def until(holds):
@@ -358,7 +358,7 @@ async def test_the_operator_limits_pairs_and_samples():
 
 
 async def test_the_service_is_ready_as_long_as_jobs_can_run(monkeypatch):
-    def fails(former):
+    def fails(server):
         raise OSError("no more processes")
 
     app = create_app(Settings(processes=1))
@@ -372,7 +372,7 @@ async def test_the_service_is_ready_as_long_as_jobs_can_run(monkeypatch):
             while not await ready():
                 await asyncio.sleep(0.02)
             with monkeypatch.context() as patched:
-                patched.setattr(jobs, "_started", fails)
+                patched.setattr(jobs._Server, "fork", fails)
                 for pid in processes_of(app):
                     os.kill(pid, signal.SIGKILL)
                 while await ready():

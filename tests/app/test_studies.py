@@ -66,7 +66,7 @@ class Client:
 
 
 def processes_of(app):
-    return {child.process.pid for child in app.state.jobs._children}
+    return {child.pid for child in app.state.jobs._children}
 
 
 async def test_progress_comes_before_the_end_and_leaving_ends_the_study(gate, monkeypatch):
