@@ -9,15 +9,15 @@ from typing import Annotated, Any, Literal
 
 import orjson
 from fastapi import APIRouter, HTTPException, Query, Request
-from fastapi.responses import JSONResponse, Response
+from fastapi.responses import Response
 from pydantic import Field
-from starlette.middleware.gzip import GZipMiddleware
+from starlette.datastructures import Headers
 from starlette.staticfiles import NotModifiedResponse
-from starlette.types import Receive, Scope, Send
+from starlette.types import Scope
 
 from app import VERSION, theme
 from app.calculations.work_precision import COMPARED
-from app.endpoint import COMPRESS_BYTES, JSON, takes_gzip
+from app.endpoint import JSON, CompressedJSON
 from app.examples import EXAMPLES
 from app.model import SMALLEST, Calculation, Maybe, ResponseModel, present
 from app.problems import KINDS, RESPONSES, TEXTS
@@ -578,9 +578,9 @@ class Packed:
 
     def response(self, scope: Scope) -> Response:
         """Answer to a request: the content, or that nothing has changed."""
-        headers = dict(scope["headers"])
-        response = self.zipped if takes_gzip(headers) else self.plain
-        known = headers.get(b"if-none-match", b"").decode("latin-1")
+        headers = Headers(scope=scope)
+        response = self.zipped if "gzip" in headers.get("accept-encoding", "") else self.plain
+        known = headers.get("if-none-match", "")
         if known.strip() == "*" or self.etag in [
             each.strip().removeprefix("W/") for each in known.split(",")
         ]:
@@ -588,15 +588,7 @@ class Packed:
         return response
 
 
-class Compressed(JSONResponse):
-    """Answer compressed for clients that accept compression."""
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Send it."""
-        await GZipMiddleware(super().__call__, COMPRESS_BYTES)(scope, receive, send)
-
-
-router = APIRouter(prefix=API, tags=["service"], default_response_class=Compressed)
+router = APIRouter(prefix=API, tags=["service"], default_response_class=CompressedJSON)
 
 
 @router.get("/health", operation_id="health")

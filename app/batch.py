@@ -7,18 +7,14 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import orjson
 from fastapi import APIRouter, Request
-from fastapi.responses import Response, StreamingResponse
+from fastapi.responses import Response
 from pydantic import FailFast, Field, StringConstraints
 from pydantic_core import from_json, to_json
-from starlette.middleware.gzip import GZipMiddleware
-from starlette.types import Receive, Scope, Send
 
 from app.endpoint import (
-    AS_IT_COMES,
-    COMPRESS_BYTES,
-    COMPRESS_LEVEL,
     JSON,
     LINES,
+    AsItComes,
     admitted,
     answered,
     by_lines,
@@ -143,26 +139,17 @@ async def batch(request: Request) -> Response:
     """
     record, jobs = at_hand.get() or Record(), request.app.state.jobs
     jobs.admit(record.client)
-    content = await received(record, record.settings.max_batch_bytes)
+    content = await received(request, record, record.settings.max_batch_bytes)
     take_place(record)
-    async with wanted(record):
+    async with wanted(request):
         calculation, requests, ids = await in_process(
             jobs, split, content, record.settings, record=record
         )
         done = answers(jobs, partial(lines, name=SPELLINGS[calculation]), requests, record)
         first = await anext(done)  # an error here refuses the batch as a whole
-    lines_asked = by_lines(record)
+    lines_asked = by_lines(request)
     written = _written(first, done, ids, lines=lines_asked)
-    media_type = LINES if lines_asked else JSON
-    return AsItComes(written, headers=AS_IT_COMES, media_type=media_type)
-
-
-class AsItComes(StreamingResponse):
-    """Answer sent part by part, compressed for clients that accept compression."""
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Send it."""
-        await GZipMiddleware(super().__call__, COMPRESS_BYTES, COMPRESS_LEVEL)(scope, receive, send)
+    return AsItComes(written, LINES if lines_asked else JSON)
 
 
 def split(tell: Tell, content: bytes, settings: Settings) -> None:

@@ -4,9 +4,9 @@
 the bytes and orjson writes them, which takes half the time of FastAPI's own way.
 """
 
-import gzip
+import asyncio
 import time
-from collections.abc import AsyncIterator, Callable, Coroutine, Iterable, Iterator
+from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
 from contextlib import aclosing
 from functools import cache, partial
 from typing import Any, TypeVar, get_args
@@ -14,10 +14,10 @@ from typing import Any, TypeVar, get_args
 import numpy as np
 import orjson
 from fastapi import Request, Response
-from fastapi.responses import StreamingResponse
+from fastapi.middleware.gzip import GZipMiddleware
+from fastapi.responses import JSONResponse, StreamingResponse
 from fastapi.routing import APIRoute
 from pydantic import BaseModel, Field, TypeAdapter, ValidationError
-from starlette.requests import ClientDisconnect
 from starlette.types import Receive, Scope, Send
 
 from app.middleware import PART_BYTES
@@ -65,9 +65,6 @@ numbers. The longest list of objects has 500 rollers."""
 COMPRESS_BYTES = 2048
 """Size from which an answer is compressed if the client accepts compression."""
 
-GZIP = b"\x1f\x8b"
-"""First bytes of compressed content."""
-
 COMPRESS_LEVEL = 3
 """Level of zlib that takes half the usual time on curves for 2 % more bytes."""
 
@@ -95,32 +92,64 @@ class FigureOut(BaseModel):
     )
 
 
+def hooked(handle: Callable[[Request], Coroutine[Any, Any, Response]]) -> type[APIRoute]:
+    """Route class whose requests a handler answers, by FastAPI's documented hook."""
+
+    class HookedRoute(APIRoute):
+        def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+            return handle
+
+    return HookedRoute
+
+
 def route_of(calculation: Calculation, *, drawn: bool = False) -> type[APIRoute]:
-    """Route class of a calculation, or of its figure, by FastAPI's documented hook. Light requests
-    are calculated at once, others in a process, which keeps the event loop free.
+    """Route class of a calculation, or of its figure. Light requests are calculated at once, others
+    in a process, which keeps the event loop free.
     """
 
     async def handle(request: Request) -> Response:
         record = at_hand.get() or Record()
-        sent = await received(record, record.settings.max_body_bytes)
-        if isinstance(calculation, StudyCalculation) and not drawn and by_lines(record):
+        sent = await received(request, record, record.settings.max_body_bytes)
+        if isinstance(calculation, StudyCalculation) and not drawn and by_lines(request):
             return await _told_by_lines(request, calculation.name, sent, record)
         theme = _theme(request) if drawn else None
-        zipped = takes_gzip(record.headers)
         if len(sent) <= LIGHT_BYTES:
             body = read_body(calculation, sent, record.settings)
             if body.cost() <= LIGHT_COST:
-                return Answer(content_of(calculation, body, theme, zipped), record)
-        asked = calculation.name, sent, theme, zipped, record.settings
-        async with wanted(record):
+                return answer(content_of(calculation, body, theme), record)
+        asked = calculation.name, sent, theme, record.settings
+        async with wanted(request):
             content = await in_process(request.app.state.jobs, _answer, *asked, record=record)
-        return Answer(content, record)
+        return answer(content, record)
 
-    class CalculationRoute(APIRoute):
-        def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-            return handle
+    return hooked(handle)
 
-    return CalculationRoute
+
+def answer(content: bytes, record: Record, media_type: str = JSON, **headers: str) -> Response:
+    """Answer of JSON or of a file; a large one takes a place while parts wait for the client."""
+    if len(content) > PART_BYTES:
+        take_place(record)
+    kind = Response if len(content) < COMPRESS_BYTES else Compressed
+    return kind(content, media_type=media_type, headers=headers)
+
+
+class Compressed(Response):
+    """Answer compressed for clients that accept compression."""
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Send it."""
+        await GZipMiddleware(super().__call__, COMPRESS_BYTES, COMPRESS_LEVEL)(scope, receive, send)
+
+
+class CompressedJSON(Compressed, JSONResponse):
+    """Answer of JSON, compressed likewise."""
+
+
+class AsItComes(Compressed, StreamingResponse):
+    """Answer sent part by part, compressed likewise; proxies are told not to gather the parts."""
+
+    def __init__(self, parts: AsyncIterator[bytes], media_type: str) -> None:
+        StreamingResponse.__init__(self, parts, media_type=media_type, headers=AS_IT_COMES)
 
 
 def answered(calculation: Calculation, body: RequestModel, report: Report = untold) -> Values:
@@ -139,26 +168,18 @@ def calculated(body: RequestModel, calculation: Callable[[], Result]) -> Result:
     return result
 
 
-def content_of(
-    calculation: Calculation, body: RequestModel, theme: str | None, zipped: bool
-) -> bytes:
-    """Answer of a calculation, compressed if it is large and the client accepts compression."""
+def content_of(calculation: Calculation, body: RequestModel, theme: str | None) -> bytes:
+    """Answer of a calculation, or its figure in a theme."""
     if theme is None:
-        content = encoded(answered(calculation, body))
-    else:
-        assert calculation.figure
-        content = encoded(with_words(calculated(body, partial(calculation.figure, body, theme))))
-    if zipped and len(content) >= COMPRESS_BYTES:
-        content = gzip.compress(content, COMPRESS_LEVEL)
-    return content
+        return encoded(answered(calculation, body))
+    assert calculation.figure
+    return encoded(with_words(calculated(body, partial(calculation.figure, body, theme))))
 
 
-def _answer(
-    tell: Tell, name: str, sent: bytes, theme: str | None, zipped: bool, settings: Settings
-) -> None:
+def _answer(tell: Tell, name: str, sent: bytes, theme: str | None, settings: Settings) -> None:
     """Answer of a calculation from the bytes of a request, in a process."""
     calculation = CALCULATIONS[name]
-    tell(content_of(calculation, read_body(calculation, sent, settings), theme, zipped))
+    tell(content_of(calculation, read_body(calculation, sent, settings), theme))
 
 
 def route_of_files(export: Export) -> type[APIRoute]:
@@ -166,30 +187,21 @@ def route_of_files(export: Export) -> type[APIRoute]:
 
     async def handle(request: Request) -> Response:
         record = at_hand.get() or Record()
-        sent = await received(record, record.settings.max_body_bytes)
-        asked = export.name, sent, takes_gzip(record.headers), record.settings
-        async with wanted(record):
+        sent = await received(request, record, record.settings.max_body_bytes)
+        asked = export.name, sent, record.settings
+        async with wanted(request):
             file = await in_process(request.app.state.jobs, _written, *asked, record=record)
-        named = b'attachment; filename="%b"' % file.name.encode()
-        headers = [(b"content-disposition", named)]
-        return Answer(file.content, record, file.media_type.encode(), headers)
+        named = {"content-disposition": f'attachment; filename="{file.name}"'}
+        return answer(file.content, record, file.media_type, **named)
 
-    class FileRoute(APIRoute):
-        def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-            return handle
-
-    return FileRoute
+    return hooked(handle)
 
 
-def _written(tell: Tell, name: str, sent: bytes, zipped: bool, settings: Settings) -> None:
+def _written(tell: Tell, name: str, sent: bytes, settings: Settings) -> None:
     """A file of a design from the bytes of a request, in a process."""
     export = EXPORTS[name]
     body = read_body(export, sent, settings)
-    file = calculated(body, partial(export.write, body))
-    packed = file.media_type == "application/zip"
-    if zipped and not packed and len(file.content) >= COMPRESS_BYTES:
-        file = file._replace(content=gzip.compress(file.content, COMPRESS_LEVEL, mtime=0))
-    tell(file)
+    tell(calculated(body, partial(export.write, body)))
 
 
 async def _told_by_lines(request: Request, name: str, sent: bytes, record: Record) -> Response:
@@ -201,7 +213,7 @@ async def _told_by_lines(request: Request, name: str, sent: bytes, record: Recor
         record=record,
         limit_s=settings.max_seconds,
     )
-    async with wanted(record):
+    async with wanted(request):
         await anext(parts)  # an error here refuses the request as a whole
 
     async def lines() -> AsyncIterator[bytes]:
@@ -212,7 +224,7 @@ async def _told_by_lines(request: Request, name: str, sent: bytes, record: Recor
         except (*REFUSED,) as error:
             yield _line({"problem": problem_of(error).body()})
 
-    return StreamingResponse(lines(), headers=AS_IT_COMES, media_type=LINES)
+    return AsItComes(lines(), LINES)
 
 
 def told_progress(tell: Tell, name: str, sent: bytes, settings: Settings) -> None:
@@ -235,9 +247,9 @@ def _line(values: dict[str, Any]) -> bytes:
     return orjson.dumps(values) + b"\n"
 
 
-def by_lines(record: Record) -> bool:
+def by_lines(request: Request) -> bool:
     """True if a client accepts an answer line by line."""
-    return LINES.encode() in record.headers.get(b"accept", b"")
+    return LINES in request.headers.get("accept", "")
 
 
 def take_place(record: Record) -> None:
@@ -252,32 +264,33 @@ def take_place(record: Record) -> None:
         record.has_place = True
 
 
-async def received(record: Record, limit: int) -> bytes:
-    """Body of a request as sent, in half of Starlette's time.
+async def received(request: Request, record: Record, limit: int) -> bytes:
+    """Body of a request as sent.
 
-    Raises Problem if the body is too large, not JSON, or large without a free place;
+    Raises Problem if the body is too large or slow, not JSON, or large without a free place;
     ClientDisconnect if the client leaves.
     """
-    headers = record.headers
-    media_type = headers.get(b"content-type", b"").partition(b";")[0].strip().lower()
-    if media_type != b"application/json" and not media_type.endswith(b"+json"):
+    headers = request.headers
+    media_type = headers.get("content-type", "").partition(";")[0].strip().lower()
+    if media_type != JSON and not media_type.endswith("+json"):
         raise Problem("unsupported-media-type", f"Send {JSON}")
-    if headers.get(b"content-encoding", b"identity") != b"identity":
+    if headers.get("content-encoding", "identity") != "identity":
         raise Problem("unsupported-media-type", "Send the body without a content encoding")
-    announced = headers.get(b"content-length", b"")
-    if announced.isdigit() and int(announced) > limit:
-        raise Problem("too-large", f"The body exceeds {limit} bytes")
-    content, more = bytearray(), True
-    while more:
-        message = await record.receive()
-        if message["type"] == "http.disconnect":
-            raise ClientDisconnect
-        content += message.get("body", b"")
-        more = message.get("more_body", False)
-        if len(content) > limit:
-            raise Problem("too-large", f"The body exceeds {limit} bytes")
-        if len(content) > LIGHT_BYTES:
-            take_place(record)
+    too_large = Problem("too-large", f"The body exceeds {limit} bytes")
+    if int(headers.get("content-length", 0)) > limit:  # FastAPI's limit answers by plain text
+        raise too_large
+    content = bytearray()
+    try:
+        async with asyncio.timeout(record.settings.receive_seconds):
+            async for part in request.stream():
+                content += part
+                if len(content) > limit:
+                    raise too_large
+                if len(content) > LIGHT_BYTES:
+                    take_place(record)
+    except TimeoutError:
+        late = "The body did not arrive in time"
+        raise Problem("request-timeout", late, headers={"connection": "close"}) from None
     record.received = time.perf_counter()
     return bytes(content)
 
@@ -340,40 +353,3 @@ def _nulls(values: Any, name: str) -> Iterator[str]:
     elif isinstance(values, list):
         for value in values:
             yield from _nulls(value, name)
-
-
-class Answer(Response):
-    """Answer of JSON or of a file, which may be compressed. A large answer takes a place while
-    parts of it wait for the client.
-    """
-
-    def __init__(
-        self,
-        content: bytes,
-        record: Record,
-        media_type: bytes = JSON.encode(),
-        headers: Iterable[tuple[bytes, bytes]] = (),
-    ) -> None:
-        # Starlette's own method takes three times as long.
-        self.status_code, self.background, self.body = 200, None, content
-        self.record = record
-        length = b"content-length", b"%d" % len(content)
-        self.raw_headers = [(b"content-type", media_type), length, *headers]
-        zipped = content.startswith(GZIP)
-        if zipped or len(content) >= COMPRESS_BYTES:
-            self.raw_headers.append((b"vary", b"accept-encoding"))
-        if zipped:
-            self.raw_headers.append((b"content-encoding", b"gzip"))
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Send it."""
-        if len(self.body) > PART_BYTES:
-            take_place(self.record)
-        start = {"type": "http.response.start", "status": 200, "headers": self.raw_headers}
-        await send(start)
-        await send({"type": "http.response.body", "body": self.body})
-
-
-def takes_gzip(headers: dict[bytes, bytes]) -> bool:
-    """True if a client accepts compressed answers."""
-    return b"gzip" in headers.get(b"accept-encoding", b"")

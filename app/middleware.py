@@ -70,7 +70,7 @@ class Requests:
             scope = {**scope, "path": path, "method": "GET" if head else method}
         client = (scope.get("client") or ("",))[0][:MAX_ADDRESS]
         request_id = _request_id(headers)
-        record = Record(self.settings, request_id, headers, receive, client, self.places)
+        record = Record(self.settings, request_id, client, self.places)
         at_hand.set(record)
         observability.begin()
         failed: Exception | None = None

@@ -97,14 +97,9 @@ TEXTS = {code: each.text for code, each in REFUSALS.items()} | OF_REQUESTS | IN_
 words for each code."""
 
 KINDS = {
-    "bad-request": (400, "The bytes that were sent are no HTTP request."),
     "failure": (
         500,
         "The service failed, not the input. The log of the service names the request by its id.",
-    ),
-    "headers-too-large": (
-        431,
-        "The request line and the headers are longer than the service takes.",
     ),
     "impossible-mechanism": (
         422,
@@ -121,7 +116,6 @@ KINDS = {
         "The path is there, but not for this method; `Allow` names those it has.",
     ),
     "not-found": (404, "There is nothing at this path; the API's description lists all."),
-    "not-implemented": (501, "The body is sent in a transfer coding that the service has not."),
     "request-timeout": (
         408,
         "The body did not arrive whole in the time that the service waits.",

@@ -11,7 +11,7 @@ from contextlib import aclosing, asynccontextmanager
 from functools import partial
 from typing import Any
 
-from starlette.requests import ClientDisconnect
+from starlette.requests import ClientDisconnect, Request
 
 from app.jobs import Job, Jobs, Stopped
 from app.problems import Problem, impossible
@@ -60,13 +60,13 @@ async def in_parts(
 
 
 @asynccontextmanager
-async def wanted(record: Record) -> AsyncIterator[None]:
+async def wanted(request: Request) -> AsyncIterator[None]:
     """Context that is cancelled, and raises `ClientDisconnect`, if the client leaves."""
     working = asyncio.current_task()
     assert working is not None
 
     async def watch() -> None:
-        while (await record.receive())["type"] != "http.disconnect":
+        while (await request.receive())["type"] != "http.disconnect":
             pass
         working.cancel()
 

@@ -2,17 +2,10 @@
 
 import time
 from collections import Counter
-from collections.abc import Awaitable, Callable
 from contextvars import ContextVar
 from dataclasses import dataclass, field
-from typing import Any
 
 from app.settings import Settings, current
-
-
-async def _nothing_more() -> Any:
-    """Receive nothing, for records without a request."""
-    return {"type": "http.disconnect"}
 
 
 @dataclass(slots=True)
@@ -21,10 +14,6 @@ class Record:
 
     settings: Settings = field(default_factory=current)  # limits of the service that answers
     request_id: str = ""  # the client's own, or one made
-    # Headers of the request, by names in lower case.
-    headers: dict[bytes, bytes] = field(default_factory=dict)
-    # Receives the client's next message: after the body, that it has left.
-    receive: Callable[[], Awaitable[Any]] = _nothing_more
     # Address of the client as the service or a trusted proxy sees it; `unix` for a Unix socket.
     client: str = ""
     # Number of the worker's places for large requests that each client has.

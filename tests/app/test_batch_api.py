@@ -135,12 +135,8 @@ async def test_a_batch_may_be_larger_than_a_request_but_not_too_large():
 
 async def evaluated(forces, solve, **limits):
     """Answers to Hertz requests of these forces, and which of them came together."""
-
-    async def stays():
-        await asyncio.Event().wait()
-
     requests = [json.dumps(REQUESTS["hertz"] | {"force_N": force}).encode() for force in forces]
-    record = Record(Settings(**limits), receive=stays)
+    record = Record(Settings(**limits))
     async with Jobs(processes=1, waiting=1, preload=PRELOAD) as jobs:
         job = partial(jobs_to_run.lines_of, solve=solve)
         slices = [some async for some in answers(jobs, job, requests, record)]

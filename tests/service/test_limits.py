@@ -128,7 +128,7 @@ def test_heads_are_refused_by_their_size(service):
         with connect(service) as connection:
             connection.sendall(sent)
             received = rest(connection)
-        assert received.startswith(b"HTTP/1.1 431 ") and received.count(b"HTTP/1.1 ") == 1
+        assert received.startswith(b"HTTP/1.1 400 ") and received.count(b"HTTP/1.1 ") == 1
 
 
 def test_a_client_that_goes_before_its_body_is_whole_is_no_failure(service):
