@@ -26,7 +26,16 @@ from app.endpoint import (
 from app.examples import REQUESTS
 from app.jobs import Job, Jobs, Stopped, TooLong
 from app.model import MAX_NAME, Calculation, Maybe, RequestModel, ResponseModel
-from app.problems import RESPONSES, Problem, ProblemOut, impossible, problem_of, refusal, too_long
+from app.problems import (
+    RESPONSES,
+    Problem,
+    ProblemOut,
+    impossible,
+    problem_of,
+    refusal,
+    too_large,
+    too_long,
+)
 from app.processes import Tell, in_parts, in_process, wanted
 from app.record import Record, at_hand
 from app.registry import CALCULATIONS
@@ -213,7 +222,7 @@ def _line(
 ) -> tuple[bytes, int]:
     try:
         if len(request) > settings.max_body_bytes:
-            raise Problem("too-large", f"The body exceeds {settings.max_body_bytes} bytes")
+            raise too_large(settings.max_body_bytes)
         body = read_body(calculation, request, settings)
         return b'{"result":' + encoded(answered(calculation, body)) + b"}", 0
     except ImpossibleMechanism as error:

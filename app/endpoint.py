@@ -40,6 +40,7 @@ from app.problems import (
     problem_of,
     refusal,
     refuse_for,
+    too_large,
     unavailable,
     wrong_fields,
 )
@@ -276,16 +277,15 @@ async def received(request: Request, record: Record, limit: int) -> bytes:
         raise Problem("unsupported-media-type", f"Send {JSON}")
     if headers.get("content-encoding", "identity") != "identity":
         raise Problem("unsupported-media-type", "Send the body without a content encoding")
-    too_large = Problem("too-large", f"The body exceeds {limit} bytes")
-    if int(headers.get("content-length", 0)) > limit:  # FastAPI's limit answers by plain text
-        raise too_large
+    if int(headers.get("content-length", 0)) > limit:  # FastAPI's own limit answers by plain text
+        raise too_large(limit)
     content = bytearray()
     try:
         async with asyncio.timeout(record.settings.receive_seconds):
             async for part in request.stream():
                 content += part
                 if len(content) > limit:
-                    raise too_large
+                    raise too_large(limit)
                 if len(content) > LIGHT_BYTES:
                     take_place(record)
     except TimeoutError:

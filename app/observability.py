@@ -4,7 +4,6 @@ If ``PROMETHEUS_MULTIPROC_DIR`` names a directory, which `app.serve` sets for se
 prometheus-client adds the metrics of all through files.
 """
 
-import atexit
 import logging
 import os
 import queue
@@ -41,10 +40,6 @@ MOST_LINES = 1000
 PAUSE_S = 0.01
 """Time over which lines are gathered, s."""
 
-TOGETHER_BYTES = 2048
-"""Size at which gathered lines are written: below the 4096 bytes that a pipe writes without lines
-of other workers between them."""
-
 LOG = logging.getLogger("khv.request")
 
 # Data that no line shows are not collected, as the logging module advises.
@@ -80,34 +75,29 @@ class Output(logging.Handler):
 
     def __init__(self) -> None:
         super().__init__()
-        self.lines: queue.SimpleQueue[bytes] = queue.SimpleQueue()
-        self.taken = self.written = 0
+        self.lines: queue.Queue[bytes] = queue.Queue(MOST_LINES)
         threading.Thread(target=self._write, daemon=True).start()
-        atexit.register(self.flush)
 
     def emit(self, record: logging.LogRecord) -> None:
         """Queue a line."""
-        if self.taken - self.written >= MOST_LINES:
+        try:
+            self.lines.put_nowait(self.format(record).encode() + b"\n")
+        except queue.Full:
             DROPPED.inc()
-            return
-        self.lines.put(self.format(record).encode() + b"\n")
-        self.taken += 1
 
     def flush(self) -> None:
         """Wait until lines are written, at most a second."""
         end = time.monotonic() + 1
-        while self.written < self.taken and time.monotonic() < end:
+        while self.lines.unfinished_tasks and time.monotonic() < end:
             time.sleep(0.005)
 
     def _write(self) -> None:
         while True:
-            text, lines = self.lines.get(), 1
-            while len(text) < TOGETHER_BYTES and not self.lines.empty():
-                text, lines = text + self.lines.get(), lines + 1
+            line = self.lines.get()
             with suppress(OSError):  # the reader has gone
-                while text:
-                    text = text[os.write(1, text) :]
-            self.written += lines
+                while line:
+                    line = line[os.write(1, line) :]
+            self.lines.task_done()
             if self.lines.empty():
                 time.sleep(PAUSE_S)  # waking up for each line costs more than writing it
 

@@ -307,6 +307,11 @@ def _count(wrong: int) -> str:
     return "1 field is wrong" if wrong == 1 else f"{wrong} fields are wrong"
 
 
+def too_large(limit: int) -> Problem:
+    """Problem of a body of more bytes than the limit."""
+    return Problem("too-large", f"The body exceeds {limit} bytes")
+
+
 def too_long(limit_s: float) -> Problem:
     """Problem of a calculation that takes too long, now and later."""
     return Problem("too-long", f"The calculation was not done within {limit_s:g} s")

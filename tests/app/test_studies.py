@@ -152,12 +152,9 @@ async def test_more_time_is_given_than_to_an_answer_at_once(api):
     ("job", "said"), [("tells_then_blocks", "2 s"), ("tells_then_dies", "stopped")]
 )
 async def test_what_does_not_come_to_its_end_has_given_what_it_had(clock, job, said):
-    async def stays():
-        await asyncio.Event().wait()
-
     got = []
     async with Jobs(processes=1, waiting=1, preload=PRELOAD) as jobs:
-        record = Record(receive=stays)
+        record = Record()
         parts = in_parts(jobs, getattr(jobs_to_run, job), 3, record=record, limit_s=2)
 
         async def take():
