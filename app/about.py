@@ -184,7 +184,7 @@ class MaterialOut(ResponseModel):
     @classmethod
     def of(cls, entry: TableMaterial) -> "MaterialOut":
         """Answer of a table entry."""
-        facts, moduli = entry.facts, dict(entry.moduli)
+        facts, moduli, strength = entry.facts, dict(entry.moduli), entry.strength
         match facts.get("youngs_modulus"):
             case Range(low=low, high=high):
                 moduli |= {"youngs_modulus_low": low, "youngs_modulus_high": high}
@@ -199,34 +199,28 @@ class MaterialOut(ResponseModel):
             )
             for limit in entry.limits
         ]
-        endurance = [each.pressure_MPa for each in limits if each.criterion != "static"]
-        strength = entry.strength
-        known = {
-            "tensile_strength_MPa": from_si("strength_MPa", strength.tensile),
-            "yield_strength_MPa": from_si("strength_MPa", strength.yield_strength),
-            "valid_diameter_mm": from_si("diameter_mm", strength.valid_diameter),
-            "strength_source": strength.source or None,
-            "density_kg_m3": entry.density,
-            "density_source": entry.density_source or None,
-            "allowable_pressure_MPa": endurance[0] if endurance else None,
-            "youngs_modulus_GPa": from_si("youngs_modulus_GPa", moduli.get("youngs_modulus")),
+        numbers = {
+            "youngs_modulus_GPa": moduli.get("youngs_modulus"),
             "poissons_ratio": moduli.get("poissons_ratio"),
-            "youngs_modulus_low_GPa": from_si(
-                "youngs_modulus_GPa", moduli.get("youngs_modulus_low")
-            ),
-            "youngs_modulus_high_GPa": from_si(
-                "youngs_modulus_GPa", moduli.get("youngs_modulus_high")
+            "youngs_modulus_low_GPa": moduli.get("youngs_modulus_low"),
+            "youngs_modulus_high_GPa": moduli.get("youngs_modulus_high"),
+            "tensile_strength_MPa": strength.tensile,
+            # The strength of a printed plastic in its plane states that value.
+            "yield_strength_MPa": strength.yield_strength
+            if "strength_in_plane" not in facts
+            else None,
+            "valid_diameter_mm": strength.valid_diameter,
+            "density_kg_m3": entry.density,
+        } | {FACT_NAMES[each]: facts[each].value for each in OWN_FACTS if each in facts}
+        others = {
+            "strength_source": strength.source or None,
+            "density_source": entry.density_source or None,
+            "allowable_pressure_MPa": next(
+                (each.pressure_MPa for each in limits if each.criterion != "static"), None
             ),
             "facts": [FactOut.of(name, each) for name, each in facts.items()] or None,
             "aliases": list(ALIASES.get(entry.name, ())) or None,
-        } | {
-            name: from_si(name, facts[each].value)
-            for each in OWN_FACTS
-            if each in facts
-            for name in (FACT_NAMES[each],)
         }
-        if "strength_in_plane" in facts:  # the yield strength states that value
-            known["yield_strength_MPa"] = None
         return cls(
             name=entry.name,
             title=entry.title,
@@ -234,7 +228,7 @@ class MaterialOut(ResponseModel):
             group_code=entry.group,
             limits=limits,
             source=entry.source,
-            **present(known),
+            **present({name: from_si(name, value) for name, value in numbers.items()} | others),
         )
 
 
