@@ -93,6 +93,36 @@ def test_bodies_beyond_the_limits_end_at_the_proxy(proxied):
         assert client.post(path, json={"a": "x" * size}).status_code == status
 
 
+@pytest.mark.parametrize(
+    ("head", "status"),
+    [
+        ("GET / HTTP/1.1\r\nhost: x\r\nx-long: " + "y" * 20_000, 400),
+        ("GET /" + "y" * 20_000 + " HTTP/1.1\r\nhost: x", 414),
+        ("POST /reducers/api/v1/hertz HTTP/1.1\r\nhost: x\r\ntransfer-encoding: gzip", 501),
+        ("NOTHING", 400),
+    ],
+)
+def test_what_is_no_request_ends_at_the_proxy(proxied, head, status):
+    service, client = proxied
+    before = len(service.lines)
+    with connected(client.base_url) as connection:
+        connection.sendall(f"{head}\r\n\r\n".encode())
+        assert connection.recv(1000).startswith(b"HTTP/1.1 %d " % status)
+    assert len(service.lines) == before
+
+
+def test_requests_one_behind_the_other_reach_the_service_one_after_the_other(proxied):
+    _, client = proxied
+    ask = b"GET /reducers/livez HTTP/1.1\r\nhost: x\r\n\r\n"
+    received = b""
+    with connected(client.base_url) as connection:
+        connection.sendall(ask * 50)
+        while received.count(b"\r\n\r\nalive") < 50:
+            assert (part := connection.recv(65536))
+            received += part
+    assert received.count(b"HTTP/1.1 200 ") == 50
+
+
 def test_a_batch_comes_through_line_by_line(proxied):
     _, client = proxied
     hertz = {"force_N": 9, "contact_length_mm": 20, "pin_radius_mm": 8, "hole_radius_mm": 10}
@@ -121,11 +151,16 @@ def test_a_client_that_asks_for_too_much_is_told_so(proxied, path):
     assert eventually(lambda: client.post(path, json={}).status_code == 422)
 
 
-def sending(url):
-    """A connection over which a part of a batch has been sent."""
+def connected(url):
+    """A connection to the proxy."""
     context = ssl.create_default_context()
     context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
-    connection = context.wrap_socket(socket.create_connection((url.host, url.port)))
+    return context.wrap_socket(socket.create_connection((url.host, url.port), timeout=30))
+
+
+def sending(url):
+    """A connection over which a part of a batch has been sent."""
+    connection = connected(url)
     connection.sendall(
         b"POST /reducers/api/v1/batch HTTP/1.1\r\nhost: x\r\ncontent-length: 100\r\n\r\n"
     )
