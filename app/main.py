@@ -36,9 +36,8 @@ from app.settings import Settings, current
 
 STATIC = Path(__file__).parent.parent / "static"
 
-PRELOAD = ("app.batch", "app.loaded", "uvicorn")
-"""Modules that processes for calculations import in advance; uvicorn's workers import the service's
-main module, `app.serve`, each anew."""
+PRELOAD = ("app.batch", "app.loaded")
+"""Modules that processes for calculations import in advance."""
 
 DESCRIBED_S = 1.0
 """Delay after the start before the service makes its API description, s."""

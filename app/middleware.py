@@ -59,15 +59,15 @@ class Requests:
         if scope["type"] != "http":
             await self.app(scope, receive, send)
             return
-        method, path, headers = scope["method"], scope["path"], dict(scope["headers"])
-        if (root := self.settings.root_path) and path.startswith(root + "/"):
-            path = path[len(root) :]  # a proxy may leave the prefix or take it away
+        method, headers = scope["method"], dict(scope["headers"])
+        root = self.settings.root_path  # a proxy may leave it before the path or take it away
+        path = scope["path"].removeprefix(root)
         if NO_GZIP.search(headers.get(b"accept-encoding", b"")):
             del headers[b"accept-encoding"]
             scope = {**scope, "headers": [*headers.items()]}
         head = method == "HEAD"  # answered as GET, without a body
         if head or root:
-            scope = {**scope, "path": path, "method": "GET" if head else method}
+            scope = {**scope, "root_path": root, "method": "GET" if head else method}
         client = (scope.get("client") or ("",))[0][:MAX_ADDRESS]
         request_id = _request_id(headers)
         record = Record(self.settings, request_id, client, self.places)
