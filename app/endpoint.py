@@ -69,9 +69,6 @@ COMPRESS_BYTES = 2048
 COMPRESS_LEVEL = 3
 """Level of zlib that takes half the usual time on curves for 2 % more bytes."""
 
-AS_IT_COMES = {"x-accel-buffering": "no"}
-"""Headers of answers sent in parts, which tell a proxy not to buffer."""
-
 PROGRESS_S = 0.25
 """Interval at which a client is told the progress of a study, s."""
 
@@ -150,7 +147,8 @@ class AsItComes(Compressed, StreamingResponse):
     """Answer sent part by part, compressed likewise; proxies are told not to gather the parts."""
 
     def __init__(self, parts: AsyncIterator[bytes], media_type: str) -> None:
-        StreamingResponse.__init__(self, parts, media_type=media_type, headers=AS_IT_COMES)
+        headers = {"x-accel-buffering": "no"}
+        StreamingResponse.__init__(self, parts, headers=headers, media_type=media_type)
 
 
 def answered(calculation: Calculation, body: RequestModel, report: Report = untold) -> Values:

@@ -20,10 +20,11 @@ def main(number: str, *modules: str) -> None:
     """Import modules, and fork until the owner has gone. Signals are ignored, as a signal to the
     whole group would lose jobs that the owner wants to finish.
     """
-    for each in (signal.SIGINT, signal.SIGTERM, signal.SIGCHLD):  # the last: no zombies stay
-        signal.signal(each, signal.SIG_IGN)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
     for module in modules:
         import_module(module)
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # ended processes leave nothing behind
     owner = socket.socket(fileno=int(number))
     while descriptors := socket.recv_fds(owner, 1, 1)[1]:
         with socket.socket(fileno=descriptors[0]) as pipe:
