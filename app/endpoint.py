@@ -277,9 +277,11 @@ async def received(request: Request, record: Record, limit: int) -> bytes:
         raise Problem("unsupported-media-type", "Send the body without a content encoding")
     if int(headers.get("content-length", 0)) > limit:  # FastAPI's own limit answers by plain text
         raise too_large(limit)
-    content = bytearray()
+    content, late, loop = bytearray(), asyncio.timeout(None), asyncio.get_running_loop()
+    end = loop.time() + record.settings.receive_seconds
+    starting = loop.call_soon(late.reschedule, end)  # most bodies are here, and need no timer
     try:
-        async with asyncio.timeout(record.settings.receive_seconds):
+        async with late:
             async for part in request.stream():
                 content += part
                 if len(content) > limit:
@@ -287,8 +289,10 @@ async def received(request: Request, record: Record, limit: int) -> bytes:
                 if len(content) > LIGHT_BYTES:
                     take_place(record)
     except TimeoutError:
-        late = "The body did not arrive in time"
-        raise Problem("request-timeout", late, headers={"connection": "close"}) from None
+        detail = "The body did not arrive in time"
+        raise Problem("request-timeout", detail, headers={"connection": "close"}) from None
+    finally:
+        starting.cancel()
     record.received = time.perf_counter()
     return bytes(content)
 
