@@ -269,13 +269,13 @@ async def received(request: Request, record: Record, limit: int) -> bytes:
     Raises Problem if the body is too large or slow, not JSON, or large without a free place;
     ClientDisconnect if the client leaves.
     """
-    headers = request.headers
-    media_type = headers.get("content-type", "").partition(";")[0].strip().lower()
-    if media_type != JSON and not media_type.endswith("+json"):
+    headers = dict(request.scope["headers"])  # by bytes, as each look into `Headers` is a search
+    media_type = headers.get(b"content-type", b"").partition(b";")[0].strip().lower()
+    if media_type != b"application/json" and not media_type.endswith(b"+json"):
         raise Problem("unsupported-media-type", f"Send {JSON}")
-    if headers.get("content-encoding", "identity") != "identity":
+    if headers.get(b"content-encoding", b"identity") != b"identity":
         raise Problem("unsupported-media-type", "Send the body without a content encoding")
-    if int(headers.get("content-length", 0)) > limit:  # FastAPI's own limit answers by plain text
+    if int(headers.get(b"content-length", 0)) > limit:  # FastAPI's limit answers by plain text
         raise too_large(limit)
     content, late, loop = bytearray(), asyncio.timeout(None), asyncio.get_running_loop()
     end = loop.time() + record.settings.receive_seconds

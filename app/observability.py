@@ -4,6 +4,7 @@ If ``PROMETHEUS_MULTIPROC_DIR`` names a directory, which `app.serve` sets for se
 prometheus-client adds the metrics of all through files.
 """
 
+import atexit
 import logging
 import os
 import queue
@@ -40,6 +41,10 @@ MOST_LINES = 1000
 PAUSE_S = 0.01
 """Time over which lines are gathered, s."""
 
+TOGETHER_BYTES = 2048
+"""Size at which gathered lines are written: below the 4096 bytes that a pipe writes without lines
+of other workers between them."""
+
 LOG = logging.getLogger("khv.request")
 
 # Data that no line shows are not collected, as the logging module advises.
@@ -75,29 +80,34 @@ class Output(logging.Handler):
 
     def __init__(self) -> None:
         super().__init__()
-        self.lines: queue.Queue[bytes] = queue.Queue(MOST_LINES)
+        self.lines: queue.SimpleQueue[bytes] = queue.SimpleQueue()
+        self.taken = self.written = 0
         threading.Thread(target=self._write, daemon=True).start()
+        atexit.register(self.flush)
 
     def emit(self, record: logging.LogRecord) -> None:
         """Queue a line."""
-        try:
-            self.lines.put_nowait(self.format(record).encode() + b"\n")
-        except queue.Full:
+        if self.taken - self.written >= MOST_LINES:
             DROPPED.inc()
+            return
+        self.lines.put(self.format(record).encode() + b"\n")
+        self.taken += 1
 
     def flush(self) -> None:
         """Wait until lines are written, at most a second."""
         end = time.monotonic() + 1
-        while self.lines.unfinished_tasks and time.monotonic() < end:
+        while self.written < self.taken and time.monotonic() < end:
             time.sleep(0.005)
 
     def _write(self) -> None:
         while True:
-            line = self.lines.get()
+            text, lines = self.lines.get(), 1
+            while len(text) < TOGETHER_BYTES and not self.lines.empty():
+                text, lines = text + self.lines.get(), lines + 1
             with suppress(OSError):  # the reader has gone
-                while line:
-                    line = line[os.write(1, line) :]
-            self.lines.task_done()
+                while text:
+                    text = text[os.write(1, text) :]
+            self.written += lines
             if self.lines.empty():
                 time.sleep(PAUSE_S)  # waking up for each line costs more than writing it
 
