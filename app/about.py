@@ -19,7 +19,7 @@ from app import VERSION, theme
 from app.calculations.work_precision import COMPARED
 from app.endpoint import JSON, CompressedJSON
 from app.examples import EXAMPLES
-from app.model import SMALLEST, Calculation, Maybe, ResponseModel, present
+from app.model import Calculation, Maybe, ResponseModel, present
 from app.problems import KINDS, RESPONSES, TEXTS
 from app.record import root_path
 from app.registry import CALCULATIONS, NEGLECTED
@@ -33,6 +33,7 @@ from core.checks.words import GROUPS as CHECK_GROUPS
 from core.codes import CODES, REFUSALS, WARNINGS, WAS, Code
 from core.contact_life import LifeCurve
 from core.errors import METHODS, PLACES
+from core.fields import SMALLEST
 from core.hertz import CRITERIA, LIMIT_SOURCES, VERIFIED, Criterion, Verified
 from core.material_table import ALIASES, MATERIALS
 from core.materials import GROUPS, Fact, Range, Seen, TableMaterial

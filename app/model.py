@@ -57,14 +57,12 @@ from app.units import (
 )
 from core.codes import WARNINGS, WAS
 from core.errors import METHODS, Accuracy, Notice, NotKnown
+from core.fields import LARGEST as LARGEST
+from core.fields import SMALLEST
 from core.hertz import Spread
 
-SMALLEST = 1e-12
-LARGEST = 1e12
-
 Size = Annotated[float, Field(ge=SMALLEST, le=LARGEST)]
-"""Positive physical quantity in its unit: within these limits no result leaves the range of
-numbers, and none loses digits at its lower end."""
+"""Positive physical quantity in its unit."""
 
 RingSize = Annotated[float, Field(ge=SMALLEST, le=1e5)]
 """Size of a ring, mm, up to a hundred metres, as the turn of a larger one takes long."""
@@ -104,11 +102,12 @@ Maybe = Annotated[Present | None, _NotNull(), Field(default=None)]
 """Value that may be absent: None in Python, by default, and no null in JSON."""
 
 
-def _whole(value: Any) -> Any:
+def whole(value: Any) -> Any:
+    """Whole number as an integer, if it is written as 3.0; other values are unchanged."""
     return int(value) if isinstance(value, float) and value.is_integer() else value
 
 
-Whole = Annotated[int, BeforeValidator(_whole)]
+Whole = Annotated[int, BeforeValidator(whole)]
 """Whole number, as 3 or as 3.0, as other programs write it."""
 
 
@@ -187,6 +186,9 @@ class RequestModel(BaseModel):
 
     RULES: ClassVar[tuple[dict[str, Any], ...]] = ()
     """Further rules of the JSON schema, which a validator checks too."""
+
+    CONVERTERS: ClassVar[Mapping[str, Convert]] = {}
+    """Conversions of fields to the core that are no change of a unit."""
 
     def __init_subclass__(cls, *, group: str | None = None, **config: Any) -> None:
         super().__init_subclass__(**config)
@@ -335,7 +337,8 @@ def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
     plan = {}
     for name, field in model.model_fields.items():
         part = any(issubclass(held, PartFields) for held, _ in _held(field.annotation))
-        plan[name] = _InCore(core_name(name), _section if part else to_si_converter(name))
+        convert = _section if part else model.CONVERTERS.get(name) or to_si_converter(name)
+        plan[name] = _InCore(core_name(name), convert)
     return plan
 
 

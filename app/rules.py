@@ -2,20 +2,21 @@
 fields; their refusals, and their JSON schema.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from functools import cache
 from itertools import chain
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 from pydantic_core import PydanticCustomError
+
+from core.fields import Forms as Forms
+from core.fields import Kinds as Kinds
+from core.fields import Rule as Rule
 
 
 def field_error(name: str, code: str, **params: Any) -> PydanticCustomError:
     """Refusal of a field, or ``model/field``, by a model's validator; see `app.problems.TEXTS`."""
     return PydanticCustomError("field_error", code, {"name": name, "code": code, "params": params})
-
-
-Forms = tuple[tuple[str, ...], ...]
 
 
 class Alternative(NamedTuple):
@@ -60,16 +61,6 @@ def wrong_form(model: Any, forms: Forms, stated: set[str]) -> PydanticCustomErro
     return field_error(missing, "needed_beside", field=other)
 
 
-class Rule(NamedTuple):
-    """Rule between two fields, by their paths (``load/input_speed_rpm``), read as a sentence: the
-    field that is refused if the rule fails, and the other field that the refusal names.
-    """
-
-    field: str
-    rule: Literal["only_one", "needed_beside", "needed"]
-    other: str
-
-
 BROKEN = {"only_one": (True, True), "needed_beside": (False, True), "needed": (False, False)}
 """Presence of the rule's field and of the other one in a violation: both; the other alone;
 neither."""
@@ -88,10 +79,6 @@ def _only(form: tuple[str, ...], names: Iterable[str]) -> dict[str, Any]:
     """
     others = [{"required": [name]} for name in names if name not in form]
     return {"required": [*form]} | ({"not": {"anyOf": others}} if others else {})
-
-
-Kinds = Mapping[Any, tuple[tuple[str, ...], tuple[str, ...]]]
-"""Needed and optional fields of each kind."""
 
 
 @cache

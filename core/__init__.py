@@ -14,6 +14,7 @@ which has the stress of pin and hole under them.
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
 codes               codes of refusals, notices and unknown results, with their texts
+fields              inputs of the design document: their words, units and limits
 precision           relative errors that methods promise, and tolerances of equality
 errors              exceptions, results that may be unknown, stated errors and notices
 arrays              functions that take a number or an array of designs; array types

@@ -3,10 +3,11 @@
 import math
 from collections.abc import Iterator
 from functools import cache, lru_cache
-from typing import Annotated, Any, Literal
+from typing import Any, Literal
 
 from pydantic import Field
 
+from app.document import SectionFields
 from app.model import (
     REPLACED,
     AssumingResponse,
@@ -14,13 +15,11 @@ from app.model import (
     RequestModel,
     ResponseModel,
     Shape,
-    Size,
     Values,
     core_paths,
     given_paths,
     pointer,
     present,
-    quantity,
     result,
 )
 from app.problems import named
@@ -38,86 +37,16 @@ from core.checks.crank_planetary import PARTS
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, GROUPS, NOT_CONSIDERED
 from core.codes import CODES, WAS
-from core.design.sections import PART_NAMES, PartName, Requirements
+from core.design.sections import Requirements
 from core.errors import if_known
 from core.fixes.fix import Fix, FixStatus
 from core.hertz import LIMIT_SOURCES, Criterion, Verified
 
 FixesFor = Literal["governing", "failed"]
 
-Safety = Annotated[float, Field(ge=0.1, le=100)]
 
-
-class RequirementsFields(RequestModel, group="requirements"):
+class RequirementsFields(SectionFields, of=Requirements, without=("scope",), group="requirements"):
     """Limits that a design has to keep; a limit that is not given is not checked."""
-
-    pitting_safety: Safety = quantity("Safety against pitting", "S_H", default=1.2, step=0.1)
-    """Safety factor against pitting: limit of the contact pressure over the contact pressure. The
-    factor is a ratio of pressures, not of loads."""
-    bending_safety: Safety = quantity("Safety against bending", "S_F", default=1.5, step=0.1)
-    """Safety factor in bending: yield strength over bending stress."""
-    fatigue_safety: Safety = quantity("Safety in fatigue", "S_D", default=1.5, step=0.1)
-    """Factor by which all stresses of a part may grow before it breaks by fatigue."""
-    static_safety: Maybe[Safety] = quantity("Static safety of bearings", "S_0", step=0.1)
-    """Static load rating of a bearing over its largest load; 1 for balls and 1.5 for rollers if it
-    is not given."""
-    life_h: Maybe[Size] = quantity("Life", "L", step=500)
-    """Required life of the reducer; 5,000 h, or 500 h for plastics, if it is not given."""
-    min_wall_mm: Maybe[Size] = quantity("Least wall", "w", step=0.5)
-    """Least wall between holes, to the rim and to the bore."""
-    max_backlash_arcmin: Maybe[Size] = quantity("Largest backlash", "Δφ_b", step=0.5)
-    """Largest play of the unloaded output mechanism over the turn."""
-    max_lost_motion_arcmin: Maybe[Size] = quantity("Largest lost motion", "Δφ_l", step=0.5)
-    """Largest rotation of the output mechanism between 3 % of the torque in both directions."""
-    max_ring_backlash_arcmin: Maybe[Size] = quantity(
-        "Largest backlash of the teeth", "Δφ_r", step=0.5
-    )
-    """Largest play of the unloaded output over the turn by the teeth alone."""
-    max_transmission_error_arcmin: Maybe[Size] = quantity(
-        "Largest transmission error of the teeth", "TE_max", step=0.1
-    )
-    """Largest lag of the output less its least lag over the turn under the torque, by the teeth
-    alone, or by both meshes if they are in series."""
-    max_deflection_mm: Maybe[Size] = quantity("Largest deflection", "Δ_max", step=0.01)
-    """Largest deflection of the shaft at its bearings, or of the pins in the satellites."""
-    max_slope_mrad: Maybe[Size] = quantity("Largest slope", "θ_max", step=0.1)
-    """Largest slope of the shaft in its bearings, or of the pins in the satellites."""
-    min_efficiency: Maybe[float] = quantity("Least efficiency", "η_min", step=0.01, ge=1e-3, lt=1)
-    """Least mean efficiency of the output mechanism; the ring is included if its friction
-    coefficient is given."""
-    min_ring_efficiency: Maybe[float] = quantity(
-        "Least efficiency of the teeth", "η_min", step=0.01, ge=1e-3, lt=1
-    )
-    """Least mean efficiency of the teeth alone."""
-    max_seat_pressure_MPa: Maybe[Size] = quantity(
-        "Largest pressure of the ring's seats", "p_all", step=10
-    )
-    """Largest pressure of the ring pins in half bores, on the projected area."""
-    max_wear_mm: Maybe[Size] = quantity("Largest wear", "h_max", step=0.01)
-    """Largest depth of wear of pin or hole at the end of the life."""
-    max_pv_MPa_m_per_s: Maybe[Size] = quantity("Largest pv", "(pv)_all", step=0.1)
-    """Largest pressure on the projected area times sliding speed."""
-    max_sliding_speed_m_per_s: Maybe[Size] = quantity("Largest sliding speed", "v_max", step=0.1)
-    """Largest speed at which pins slide in the holes, or in their sleeves."""
-    max_outer_diameter_mm: Maybe[Size] = quantity("Largest diameter", "D_max", step=5)
-    """Largest diameter of the space in which the satellites move."""
-    max_unbalance_N: Maybe[Size] = quantity("Largest unbalanced force", "F_U", step=10)
-    """Largest unbalanced centrifugal force of the parts that turn with the crankshaft."""
-    max_unbalance_couple_Nm: Maybe[Size] = quantity("Largest unbalanced couple", "M_U", step=0.1)
-    """Largest unbalanced couple of the parts that turn with the crankshaft, about the middle of the
-    bearings."""
-    max_unbalance_share: Maybe[float] = quantity(
-        "Largest share of unbalance", step=0.05, gt=0, le=1e6
-    )
-    """Largest reaction of a crankshaft bearing to the unbalance, over the largest reaction to the
-    forces of the mechanism."""
-    balance_grade_mm_per_s: Maybe[Size] = quantity("Balance grade", "G", step=0.5)
-    """Balance grade G of ISO 21940-11: largest speed of the rotor's centre of mass about the axis.
-    The usual value is 16."""
-
-    def section(self, _: Any) -> Requirements:
-        """Requirements in SI units."""
-        return Requirements(**self.to_core())
 
 
 class JudgedFields(RequestModel):
@@ -142,18 +71,8 @@ class JudgedFields(RequestModel):
 _JUDGING = frozenset(JudgedFields.model_fields)
 
 
-class ScopedRequirementsFields(RequirementsFields, group="requirements"):
+class ScopedRequirementsFields(SectionFields, of=Requirements, group="requirements"):
     """Limits that a reducer has to keep, and the parts that are judged."""
-
-    scope: list[PartName] = quantity(
-        "Parts that are judged", default=[*PART_NAMES], min_length=1, max_length=len(PART_NAMES)
-    )
-    """Parts of the reducer to judge. Other parts have no checks and are not in the verdict."""
-
-    def section(self, _: Any) -> Requirements:
-        """Requirements in SI units."""
-        given = self.to_core()
-        return Requirements(**given | {"scope": tuple(given["scope"])})
 
 
 class ReasonOut(ResponseModel):

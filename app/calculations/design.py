@@ -30,6 +30,7 @@ from app.calculations.mechanism import MAX_SATELLITES, Deviation, MechanismField
 from app.calculations.pin import HeldPinFields, PinBoltFields, pin_places, strengths_of
 from app.calculations.pin_rollers import RollersFields
 from app.calculations.ring import RING_PIN_LISTS, RingPinDeviationsFields
+from app.document import SectionFields
 from app.model import (
     LARGEST,
     NO_DUST,
@@ -641,35 +642,9 @@ def forces_used() -> Any:
     )
 
 
-class SatelliteBodyFields(RequestModel, group="satellite_body"):
+class SatelliteBodyFields(SectionFields, of=SatelliteBody, group="satellite_body"):
     """Body of a satellite, as far as it is given."""
 
-    outer_radius_mm: Maybe[Size] = quantity("Outer radius", "r_o", step=1)
-    """Outer radius of the satellite, with its teeth."""
-    root_radius_mm: Maybe[Size] = quantity("Root radius", "r_f", step=1)
-    """Radius at the root of the satellite's teeth."""
-    bore_radius_mm: Maybe[Size] = quantity("Bore radius", "r_b", step=1)
-    """Radius of the satellite's bore."""
-    solid_wall_mm: Maybe[Size] = quantity("Solid wall of the holes", "w_s", step=0.4)
-    """Thickness of solid material around the holes of a printed satellite: number of perimeters
-    times line width."""
 
-    def section(self, _: Any) -> SatelliteBody:
-        """Body in SI units."""
-        return SatelliteBody(**self.to_core())
-
-
-Celsius = Annotated[float, Field(ge=-60, le=250)]
-
-
-class TemperaturesFields(RequestModel, group="temperatures"):
+class TemperaturesFields(SectionFields, of=Temperatures, group="temperatures"):
     """Temperatures of the parts at work, by which plastics are judged."""
-
-    satellite_C: Maybe[Celsius] = quantity("Temperature of the satellites", "T_s", step=5)
-    """Temperature of the satellites at work; a motor nearby heats them."""
-    pins_C: Maybe[Celsius] = quantity("Temperature of the pins", "T_p", step=5)
-    """Temperature of the pins at work."""
-
-    def section(self, _: Any) -> Temperatures:
-        """Temperatures in degrees Celsius, as the core has them."""
-        return Temperatures(**self.to_core())

@@ -4,7 +4,7 @@ import math
 from typing import Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import Field, field_validator
+from pydantic import Field
 
 from app.calculations.design import (
     DesignFields,
@@ -16,19 +16,16 @@ from app.calculations.design import (
 from app.calculations.hertz import eccentricity
 from app.calculations.ideal_forces import CurveFields
 from app.calculations.mechanism import PinContactFields
+from app.document import SectionFields
 from app.model import (
-    NO_DUST,
     AccuracyOut,
     AssumingResponse,
     Calculation,
     Maybe,
-    RequestModel,
     ResponseModel,
     Size,
     Values,
     WarningOut,
-    no_dust,
-    quantity,
     timed,
 )
 from app.rules import Forms
@@ -60,25 +57,8 @@ class SlidingContactFields(PinContactFields, group="contact"):
     eccentricity_mm: Size = eccentricity()
 
 
-class FrictionFields(RequestModel, group="friction"):
+class FrictionFields(SectionFields, of=Friction, group="friction"):
     """Friction and wear of pin and hole, or of pin and sleeve."""
-
-    coefficient: float = quantity(
-        "Friction coefficient", "μ", step=0.01, schema=NO_DUST, ge=0, le=10
-    )
-    """Friction coefficient of the sliding surfaces."""
-    sleeve: bool = quantity("Sleeves on the pins", default=False)
-    """True if sleeves roll in the holes and slide on the pins; the pin diameter is needed then."""
-    wear_rate_mm3_per_Nm: Maybe[Size] = quantity("Wear coefficient", "k", step=1e-9)
-    """Worn volume over force and sliding distance (Archard)."""
-    life_h: Maybe[Size] = quantity("Life", "t", step=100)
-    """Operating time over which the wear is calculated."""
-
-    _coefficient_size = field_validator("coefficient")(no_dust)
-
-    def section(self, _: Any) -> Friction:
-        """Friction in SI units."""
-        return Friction(**self.to_core())
 
 
 class WornFields(FrictionFields):

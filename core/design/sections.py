@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Literal, NamedTuple, get_args
 
 from core.crank.balance import Counterweight
@@ -22,6 +23,7 @@ from core.fatigue import (
     size_factor,
     surface_factor,
 )
+from core.fields import optional_size, quantity
 from core.hertz import ElasticMaterial
 from core.output.elasticity import PinSupport
 from core.output.mechanism import Output
@@ -108,54 +110,117 @@ class Contact:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SatelliteBody:
-    """Body of a satellite, as far as it is given: radii, m."""
+    """Body of a satellite, as far as it is given."""
 
-    outer_radius: float | None = None  # r_o, tips of the teeth
-    root_radius: float | None = None  # r_f, roots of the teeth
-    bore_radius: float | None = None  # r_b
-    solid_wall: float | None = None  # solid wall of a printed disc around its holes
+    outer_radius: float | None = optional_size("Outer radius", "r_o", "mm", step=1)
+    """Outer radius of the satellite, with its teeth."""
+    root_radius: float | None = optional_size("Root radius", "r_f", "mm", step=1)
+    """Radius at the root of the satellite's teeth."""
+    bore_radius: float | None = optional_size("Bore radius", "r_b", "mm", step=1)
+    """Radius of the satellite's bore."""
+    solid_wall: float | None = optional_size("Solid wall of the holes", "w_s", "mm", step=0.4)
+    """Thickness of solid material around the holes of a printed satellite: number of perimeters
+    times line width."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Temperatures:
-    """Temperatures of parts at work, as far as they are given, degrees Celsius."""
+    """Temperatures of the parts at work, by which plastics are judged."""
 
-    satellite: float | None = None  # temperature of the satellites
-    pins: float | None = None  # temperature of the pins
+    satellite: float | None = quantity(
+        "Temperature of the satellites", "T_s", "C", default=None, step=5, ge=-60, le=250
+    )
+    """Temperature of the satellites at work; a motor nearby heats them."""
+    pins: float | None = quantity(
+        "Temperature of the pins", "T_p", "C", default=None, step=5, ge=-60, le=250
+    )
+    """Temperature of the pins at work."""
 
 
 USUAL_LIFE = 5000 * 3600.0
 """Required life if none is given, s; a tenth of it for plastics."""
 
+safety = partial(quantity, step=0.1, ge=0.1, le=100)
+"""Required safety factor."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Requirements:
-    """Limits that a design has to keep; a limit of None is not checked."""
+    """Limits that a design has to keep; a limit that is not given is not checked."""
 
-    scope: tuple[PartName, ...] = PART_NAMES  # parts of the reducer that are judged
-    pitting_safety: float = 1.2  # safety of the contact pressure
-    bending_safety: float = 1.5  # safety of the pins against yield
-    fatigue_safety: float = 1.5  # safety of the pins in fatigue
-    static_safety: float | None = None  # safety of bearings; None: `STATIC_SAFETY` of their kind
-    life: float | None = None  # s; infinite if not checked; None: `USUAL_LIFE`, for plastics 1/10
-    min_wall: float | None = None  # m
-    max_backlash: float | None = None  # rad
-    max_lost_motion: float | None = None  # rad
-    max_ring_backlash: float | None = None  # backlash of the teeth alone, rad
-    max_transmission_error: float | None = None  # transmission error of the teeth alone, rad
-    max_deflection: float | None = None  # deflection of the pins, m
-    max_slope: float | None = None  # slope of the pins, rad
-    min_efficiency: float | None = None  # efficiency of the output mechanism
-    min_ring_efficiency: float | None = None  # efficiency of the teeth alone
-    max_seat_pressure: float | None = None  # pressure of ring pins on the area of their seats, Pa
-    max_wear: float | None = None  # depth, m
-    max_pv: float | None = None  # pressure times speed, Pa*m/s
-    max_sliding_speed: float | None = None  # m/s
-    max_outer_diameter: float | None = None  # outer diameter of the reducer, m
-    max_unbalance: float | None = None  # force of all parts that turn with the crankshaft, N
-    max_unbalance_couple: float | None = None  # couple of the parts that turn with it, N*m
-    max_unbalance_share: float | None = None  # on a crankshaft bearing, over its working load
-    balance_grade: float | None = None  # speed of the centre of mass about the axis, m/s
+    pitting_safety: float = safety("Safety against pitting", "S_H", default=1.2)
+    """Safety factor against pitting: limit of the contact pressure over the contact pressure. The
+    factor is a ratio of pressures, not of loads."""
+    bending_safety: float = safety("Safety against bending", "S_F", default=1.5)
+    """Safety factor in bending: yield strength over bending stress."""
+    fatigue_safety: float = safety("Safety in fatigue", "S_D", default=1.5)
+    """Factor by which all stresses of a part may grow before it breaks by fatigue."""
+    static_safety: float | None = safety("Static safety of bearings", "S_0", default=None)
+    """Static load rating of a bearing over its largest load; 1 for balls and 1.5 for rollers if it
+    is not given."""
+    life: float | None = optional_size("Life", "L", "h", step=500)
+    """Required life of the reducer; 5,000 h, or 500 h for plastics, if it is not given."""
+    min_wall: float | None = optional_size("Least wall", "w", "mm", step=0.5)
+    """Least wall between holes, to the rim and to the bore."""
+    max_backlash: float | None = optional_size("Largest backlash", "Δφ_b", "arcmin", step=0.5)
+    """Largest play of the unloaded output mechanism over the turn."""
+    max_lost_motion: float | None = optional_size("Largest lost motion", "Δφ_l", "arcmin", step=0.5)
+    """Largest rotation of the output mechanism between 3 % of the torque in both directions."""
+    max_ring_backlash: float | None = optional_size(
+        "Largest backlash of the teeth", "Δφ_r", "arcmin", step=0.5
+    )
+    """Largest play of the unloaded output over the turn by the teeth alone."""
+    max_transmission_error: float | None = optional_size(
+        "Largest transmission error of the teeth", "TE_max", "arcmin", step=0.1
+    )
+    """Largest lag of the output less its least lag over the turn under the torque, by the teeth
+    alone, or by both meshes if they are in series."""
+    max_deflection: float | None = optional_size("Largest deflection", "Δ_max", "mm", step=0.01)
+    """Largest deflection of the shaft at its bearings, or of the pins in the satellites."""
+    max_slope: float | None = optional_size("Largest slope", "θ_max", "mrad", step=0.1)
+    """Largest slope of the shaft in its bearings, or of the pins in the satellites."""
+    min_efficiency: float | None = quantity(
+        "Least efficiency", "η_min", default=None, step=0.01, ge=1e-3, lt=1
+    )
+    """Least mean efficiency of the output mechanism; the ring is included if its friction
+    coefficient is given."""
+    min_ring_efficiency: float | None = quantity(
+        "Least efficiency of the teeth", "η_min", default=None, step=0.01, ge=1e-3, lt=1
+    )
+    """Least mean efficiency of the teeth alone."""
+    max_seat_pressure: float | None = optional_size(
+        "Largest pressure of the ring's seats", "p_all", "MPa", step=10
+    )
+    """Largest pressure of the ring pins in half bores, on the projected area."""
+    max_wear: float | None = optional_size("Largest wear", "h_max", "mm", step=0.01)
+    """Largest depth of wear of pin or hole at the end of the life."""
+    max_pv: float | None = optional_size("Largest pv", "(pv)_all", "MPa_m_per_s", step=0.1)
+    """Largest pressure on the projected area times sliding speed."""
+    max_sliding_speed: float | None = optional_size(
+        "Largest sliding speed", "v_max", "m_per_s", step=0.1
+    )
+    """Largest speed at which pins slide in the holes, or in their sleeves."""
+    max_outer_diameter: float | None = optional_size("Largest diameter", "D_max", "mm", step=5)
+    """Largest diameter of the space in which the satellites move."""
+    max_unbalance: float | None = optional_size("Largest unbalanced force", "F_U", "N", step=10)
+    """Largest unbalanced centrifugal force of the parts that turn with the crankshaft."""
+    max_unbalance_couple: float | None = optional_size(
+        "Largest unbalanced couple", "M_U", "Nm", step=0.1
+    )
+    """Largest unbalanced couple of the parts that turn with the crankshaft, about the middle of the
+    bearings."""
+    max_unbalance_share: float | None = quantity(
+        "Largest share of unbalance", default=None, step=0.05, gt=0, le=1e6
+    )
+    """Largest reaction of a crankshaft bearing to the unbalance, over the largest reaction to the
+    forces of the mechanism."""
+    balance_grade: float | None = optional_size("Balance grade", "G", "mm_per_s", step=0.5)
+    """Balance grade G of ISO 21940-11: largest speed of the rotor's centre of mass about the axis.
+    The usual value is 16."""
+    scope: tuple[PartName, ...] = quantity(
+        "Parts that are judged", default=PART_NAMES, lengths=((1, len(PART_NAMES)),)
+    )
+    """Parts of the reducer to judge. Other parts have no checks and are not in the verdict."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -283,10 +348,14 @@ class FatigueBasis:
 class Friction:
     """Friction and wear of pin and hole, or of pin and sleeve."""
 
-    coefficient: float  # friction coefficient
-    sleeve: bool = False  # True if sleeves roll in the holes
-    wear_rate: float | None = None  # worn volume over force and distance, m^2/N
-    life: float | None = None  # time of wear, s; None: the required life
+    coefficient: float = quantity("Friction coefficient", "μ", step=0.01, ge=0, le=10, or_zero=True)
+    """Friction coefficient of the sliding surfaces."""
+    sleeve: bool = quantity("Sleeves on the pins", default=False)
+    """True if sleeves roll in the holes and slide on the pins; the pin diameter is needed then."""
+    wear_rate: float | None = optional_size("Wear coefficient", "k", "mm3_per_Nm", step=1e-9)
+    """Worn volume over force and sliding distance (Archard)."""
+    life: float | None = optional_size("Life", "t", "h", step=100)
+    """Operating time over which the wear is calculated."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

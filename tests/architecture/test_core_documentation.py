@@ -13,6 +13,7 @@ from types import FunctionType, ModuleType
 import pytest
 
 import core
+from core.fields import help_of
 
 ROOT = Path(__file__).parent.parent.parent
 MODULES = [
@@ -54,13 +55,14 @@ ORDERED = {
     "core.design.document.value_at",
     "core.design.refusals.named",
     "core.errors.required",
+    "core.fields.quantity",
     "core.output.force_laws.depressed_cubic_roots",
     "core.output.force_bounds.least_total",
     "core.output.force_bounds.most_summits",
     "core.output.force_bounds.next_place",
 }
 """Functions whose arguments have an order of their own: a polynomial's coefficients, the ends of a
-stretch, what NumPy's `where` takes, a check's value and limit."""
+stretch, what NumPy's `where` takes, a check's value and limit, a field's title, symbol and unit."""
 
 KERNELS = {
     "core.drive.engine",
@@ -156,7 +158,8 @@ def test_every_field_of_a_record_says_what_it_is():
     for cls in DATACLASSES + RECORDS:
         documented = section(cls, "Attributes") + section(cls, "Parameters")
         fields = getattr(cls, "_fields", None) or [each.name for each in dataclasses.fields(cls)]
-        silent = {*inspect.get_annotations(cls)} - {*documented} - commented(cls)
+        said = {*documented, *commented(cls), *(help_of(cls) if cls in DATACLASSES else ())}
+        silent = {*inspect.get_annotations(cls)} - said
         if silent or documented != [name for name in fields if name in documented]:
             wrong[identity(cls)] = documented, silent
     assert wrong == {}

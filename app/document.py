@@ -1,0 +1,199 @@
+"""Sections of requests made of the dataclasses of the design document, whose fields say title,
+unit, limits and help (`core.fields`): the names in JSON, their schema and validation, and the
+conversion to SI units follow.
+"""
+
+import math
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import MISSING, Field, fields, is_dataclass
+from functools import cache
+from itertools import chain
+from types import NoneType, new_class
+from typing import (
+    TYPE_CHECKING,
+    Annotated,
+    Any,
+    ClassVar,
+    NamedTuple,
+    cast,
+    get_args,
+    get_type_hints,
+)
+
+from pydantic import AfterValidator, BeforeValidator
+from pydantic import Field as Limits
+
+from app.model import NO_DUST, Maybe, PartFields, no_dust, quantity, whole
+from app.rules import Forms, Rule
+from app.units import Convert, from_si
+from core.fields import Input, help_of
+
+LIMITED: Any = Annotated
+OPTIONAL: Any = Maybe
+LIST: Any = list
+"""Generic types of annotations that are made at import."""
+
+
+class Sent(NamedTuple):
+    """Form of a value in JSON, and its conversion to the core if that is no change of its unit."""
+
+    annotation: Any
+    convert: Convert | None = None
+
+
+SENT: dict[Any, Sent] = {}
+"""Forms of types of core that are neither numbers, words, lists nor sections."""
+
+
+class SectionFields(PartFields):
+    """Section of the document, or part of one.
+
+    A subclass names its dataclass of core as `of`, has its fields but those in `without`, and adds
+    what core does not know. `DOCUMENT` is the dataclass.
+    """
+
+    DOCUMENT: ClassVar[Any]
+
+    if TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            """Value of a field that the dataclass says."""
+
+    def __init_subclass__(
+        cls,
+        *,
+        of: Any = None,
+        without: Collection[str] = (),
+        only: Collection[str] = (),
+        group: str | None = None,
+        **config: Any,
+    ) -> None:
+        if of is not None:
+            said = {
+                each.name: each
+                for each in fields(of)
+                if each.metadata and each.name not in without and (not only or each.name in only)
+            }
+            _say(cls, of, said, group)
+        super().__init_subclass__(group=group, **config)
+
+    def section(self, around: Any = None) -> Any:
+        """Section in SI units; `around` is the request."""
+        return self.DOCUMENT(**self.to_core())
+
+
+def _say(cls: Any, kind: Any, said: Mapping[str, Field[Any]], group: str | None) -> None:
+    """Give a model the fields of a dataclass, and its rules between them."""
+    hints, helps, own, converters = get_type_hints(kind), help_of(kind), cls.__annotations__, {}
+    annotations = {}
+    for each in said.values():
+        name = name_of(each)
+        sent = _sent(hints[each.name], each.metadata["input"], group)
+        if sent.convert is not None:
+            converters[name] = sent.convert
+        default = _default(each)
+        known = default is not None or each.default is MISSING
+        annotations[name] = sent.annotation if known else OPTIONAL[sent.annotation]
+        if name not in own:
+            setattr(cls, name, _shown(each, default, helps.get(each.name)))
+    cls.__annotations__ = annotations | own
+    cls.DOCUMENT = kind
+    cls.CONVERTERS = converters
+    for rules, named in (("ALTERNATIVES", _forms), ("BETWEEN", _rules)):
+        if given := getattr(kind, rules, ()):
+            setattr(cls, rules, tuple(named(given, said)))
+
+
+def name_of(each: Field[Any]) -> str:
+    """Name of a field in a request: the name in core with its unit."""
+    return f"{each.name}_{each.metadata['input'].unit}".removesuffix("_")
+
+
+def _default(each: Field[Any]) -> Any:
+    """Default of a field in the unit of the document; None if the document has none."""
+    said: Input = each.metadata["input"]
+    if each.default in (MISSING, None, (), math.inf) or said.silent:
+        return None
+    return from_si(name_of(each), each.default)
+
+
+def _shown(each: Field[Any], default: Any, text: str | None) -> Any:
+    """Field of a model, as pydantic takes it."""
+    said: Input = each.metadata["input"]
+    given: dict[str, Any] = {}
+    if default is not None or each.default is not MISSING:
+        given["default"] = [*default] if isinstance(default, tuple) else default
+    if said.alias:
+        given["alias"] = said.alias
+    if not said.title:
+        return Limits(description=text, **given)
+    schema: dict[str, Any] = NO_DUST if said.or_zero else {}
+    if said.options:
+        schema = schema | {"x-options": [*said.options]}
+    return quantity(
+        said.title,
+        said.symbol,
+        help=text,
+        step=said.step,
+        advanced=said.advanced,
+        schema=schema,
+        **given,
+    )
+
+
+def _sent(hint: Any, said: Input, group: str | None, depth: int = 0) -> Sent:
+    """Form in JSON of a type of core; lists within others are at a depth."""
+    if NoneType in get_args(hint):
+        (hint,) = (each for each in get_args(hint) if each is not NoneType)
+    if getattr(hint, "__origin__", None) is tuple:
+        inner = _sent(get_args(hint)[0], said, group, depth + 1)
+        least, most = said.lengths[depth]
+        listed = LIMITED[LIST[inner.annotation], Limits(min_length=least, max_length=most)]
+        if is_dataclass(get_args(hint)[0]) or said.unit:
+            return Sent(listed)
+        return Sent(listed, tuple)
+    if hint in SENT:
+        return SENT[hint]
+    if is_dataclass(hint):
+        return Sent(model_of(cast(type, hint), group))
+    limits = Limits(**said.limits)
+    if hint is int:
+        return Sent(Annotated[int, limits, BeforeValidator(whole)])
+    if hint is float:
+        return Sent(Annotated[float, limits, *([AfterValidator(no_dust)] if said.or_zero else [])])
+    if hint is str and said.lengths:
+        return Sent(Annotated[str, Limits(max_length=said.lengths[0][1])])
+    return Sent(hint)
+
+
+@cache
+def model_of(kind: type, group: str | None) -> type[SectionFields]:
+    """Model of a part of a section: the one that names it, else one of its fields alone."""
+    for each in _models(SectionFields):
+        if vars(each).get("DOCUMENT") is kind:
+            return each
+    own = {"__module__": __name__, "__doc__": kind.__doc__}
+    made = {"of": kind, "group": group}
+    return new_class(
+        f"{kind.__name__}Fields", (SectionFields,), made, lambda body: body.update(own)
+    )
+
+
+def _models(model: type[SectionFields]) -> Iterator[type[SectionFields]]:
+    for each in model.__subclasses__():
+        yield each
+        yield from _models(each)
+
+
+def _forms(given: tuple[Forms, ...], said: Mapping[str, Field[Any]]) -> Iterator[Forms]:
+    """Alternatives between fields that a model has, in names of JSON."""
+    for forms in given:
+        if said.keys() >= {*chain(*forms)}:
+            yield tuple(tuple(name_of(said[name]) for name in form) for form in forms)
+
+
+def _rules(given: tuple[Rule, ...], said: Mapping[str, Field[Any]]) -> Iterator[Rule]:
+    """Rules between two fields that a model has, in names of JSON."""
+    for field, rule, other in given:
+        if said.keys() >= {field, other}:
+            yield Rule(name_of(said[field]), rule, name_of(said[other]))
