@@ -85,14 +85,16 @@ class SectionFields(PartFields):
 def _say(cls: Any, kind: Any, said: Mapping[str, Field[Any]], group: str | None) -> None:
     """Give a model the fields of a dataclass, and its rules between them."""
     hints, helps, own, converters = get_type_hints(kind), help_of(kind), cls.__annotations__, {}
-    annotations = {}
+    annotations, extended = {}, getattr(cls, "DOCUMENT", None)
     for each in said.values():
         name = name_of(each)
+        if name in cls.model_fields:  # a field of the model that is extended
+            continue
         sent = _sent(hints[each.name], each.metadata["input"], group)
         if sent.convert is not None:
             converters[name] = sent.convert
         default = _default(each)
-        known = default is not None or each.default is MISSING
+        known = default is not None or needed(each)
         annotations[name] = sent.annotation if known else OPTIONAL[sent.annotation]
         if name not in own:
             setattr(cls, name, _shown(each, default, helps.get(each.name)))
@@ -100,13 +102,19 @@ def _say(cls: Any, kind: Any, said: Mapping[str, Field[Any]], group: str | None)
     cls.DOCUMENT = kind
     cls.CONVERTERS = converters
     for rules, named in (("ALTERNATIVES", _forms), ("BETWEEN", _rules)):
-        if given := getattr(kind, rules, ()):
+        given = getattr(kind, rules, ())
+        if given is not getattr(extended, rules, ()):
             setattr(cls, rules, tuple(named(given, said)))
 
 
 def name_of(each: Field[Any]) -> str:
     """Name of a field in a request: the name in core with its unit."""
     return f"{each.name}_{each.metadata['input'].unit}".removesuffix("_")
+
+
+def needed(each: Field[Any]) -> bool:
+    """True if a request has to state a field."""
+    return each.default is MISSING and not each.metadata["input"].filled
 
 
 def _default(each: Field[Any]) -> Any:
@@ -121,7 +129,7 @@ def _shown(each: Field[Any], default: Any, text: str | None) -> Any:
     """Field of a model, as pydantic takes it."""
     said: Input = each.metadata["input"]
     given: dict[str, Any] = {}
-    if default is not None or each.default is not MISSING:
+    if default is not None or not needed(each):
         given["default"] = [*default] if isinstance(default, tuple) else default
     if said.alias:
         given["alias"] = said.alias

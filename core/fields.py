@@ -53,6 +53,8 @@ class Input:
     alias: str = ""  # name in the document, if it is no name in Python
     # True if small values other than 0 are refused, as they lose digits.
     or_zero: bool = False
+    # True if the document may leave a needed value out, as another one gives it.
+    filled: bool = False
     # True if the document leaves the default out, so that it counts as not given.
     silent: bool = False
 

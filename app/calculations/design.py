@@ -155,21 +155,10 @@ class BentPinFields(HeldPinFields, group="pin"):
         )
 
 
-class CrankSupportFields(RequestModel, group="crank_support"):
+class CrankSupportFields(SectionFields, of=CrankSupport, group="crank_support"):
     """Bearings of the satellites on their cranks. The force of the ring on them is left out."""
 
-    stiffness_N_per_mm: Maybe[Size] = quantity("Stiffness of a bearing", "k_b", step=10_000)
-    """Radial stiffness of the bearing of one satellite; the bearing is rigid if not given."""
-    radial_clearance_mm: float = quantity(
-        "Clearance of a bearing", "G", default=0.0, step=0.005, ge=0, le=LARGEST
-    )
-    """Radial internal clearance as stated in catalogues; half of it lies on either side."""
-
     gives: ClassVar[bool] = True
-
-    def section(self, _: Any = None) -> CrankSupport:
-        """The bearings in SI units."""
-        return CrankSupport(**self.to_core())
 
 
 CouplingKind = Literal["rigid", "elastic", "shares"]

@@ -37,15 +37,13 @@ from app.units import from_si, to_si
 from core.design.document import mechanism_of
 from core.design.sections import Contact, MechanismSection, SharedBy
 from core.errors import InvalidInput, Notice
+from core.output.mechanism import MAX_SATELLITES as MAX_SATELLITES
 from core.output.mechanism import Mechanism, Members, Output, felt, ratio_from_teeth
 from core.output.room import Rooms
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, fit_clearance
 
 MAX_PAIRS = 10_000
 """Largest number of pairs (pins times satellites) of a mechanism."""
-
-MAX_SATELLITES = 100
-"""Largest number of satellites of a mechanism."""
 
 MAX_DRAWN_PAIRS = 240
 """Largest number of pairs in a figure."""

@@ -1,30 +1,20 @@
 """Bearings by name: values that are not given come from the table of bearings."""
 
 from collections.abc import Iterator
-from functools import cached_property, partial
-from typing import Any, ClassVar, Self
+from functools import cached_property
+from typing import Any, Self
 
 from pydantic import model_validator
 
-from app.model import RequestModel, present, quantity
-from app.rules import Forms, field_error
+from app.document import SectionFields
+from app.model import RequestModel, present
+from app.rules import field_error
 from app.units import core_name, from_si
 from core.bearings import BEARINGS, NamedBearing, named_bearing, names_like
 
-bearing_name = partial(
-    quantity,
-    "Bearing",
-    schema={"x-options": [*BEARINGS]},
-    max_length=40,
-    help="Name in the table of bearings, such as 686, from which the sizes and the lowest load "
-    "ratings of the makers are taken; values that are given as well replace them.",
-)
 
-
-class NamedBearingFields(RequestModel):
+class NamedBearingFields(SectionFields):
     """Bearing by its name, by values, or by both; a given value replaces that of the table."""
-
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("kind",), ("name",), ("kind", "name")),)
 
     @model_validator(mode="after")
     def _known_name(self) -> Self:
@@ -60,7 +50,5 @@ class NamedBearingFields(RequestModel):
         yield from (((field,), value) for field, value in self.filled.items())
 
     def to_core(self) -> dict[str, Any]:
-        """Given fields as the core's arguments, with values of the table in place of the name."""
-        own = RequestModel.to_core(self.model_copy(update=self.filled))
-        own.pop("name", None)
-        return own
+        """Given fields as the core's arguments, with values of the table."""
+        return RequestModel.to_core(self.model_copy(update=self.filled))

@@ -4,22 +4,20 @@ from collections.abc import Iterator
 from functools import partial
 from typing import Annotated, Any, ClassVar, Self, TypeVar
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, model_validator
 
 from app.calculations.contact_law import MeshLawFields
 from app.calculations.hertz import Material, contact_length, material_of
 from app.calculations.involute_teeth import RING_MATERIAL, InvoluteTeethFields
 from app.calculations.mechanism import MAX_SATELLITES
 from app.calculations.pin import strengths_of
+from app.document import SectionFields
 from app.model import (
-    NO_DUST,
     Maybe,
-    PartFields,
     RequestModel,
     RingSize,
     Size,
     Whole,
-    no_dust,
     present,
     quantity,
 )
@@ -79,29 +77,8 @@ ring_pin_radius = partial(
 """Fields that are optional in some requests."""
 
 
-class ModificationFields(PartFields, group="gear"):
+class ModificationFields(SectionFields, of=Modification, group="gear"):
     """Offsets of the tool that cuts the discs from the ring pins."""
-
-    equidistant_mm: Change = quantity(
-        "Equidistant modification", "Δ_e", default=0.0, step=0.005, schema=NO_DUST
-    )
-    """Radius of the tool less that of the ring pins; a positive value makes the disc smaller all
-    around."""
-    pin_circle_mm: Change = quantity(
-        "Modification of the circle", "Δ_p", default=0.0, step=0.005, schema=NO_DUST
-    )
-    """Radius of the tool's circle less that of the ring pins; a negative value makes the disc
-    smaller."""
-    rotation_arcmin: float = quantity(
-        "Modification by rotation", "δ_r", default=0.0, step=0.5, schema=NO_DUST, ge=0, le=30
-    )
-    """Angle by which the flanks are turned to either side; tips and roots are left out."""
-
-    _sizes = field_validator("equidistant_mm", "pin_circle_mm", "rotation_arcmin")(no_dust)
-
-    def section(self) -> Modification:
-        """Modification in SI units."""
-        return Modification(**self.to_core())
 
 
 class RingPinsFields(RequestModel, group="gear"):

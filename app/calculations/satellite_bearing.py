@@ -2,10 +2,9 @@
 
 from collections.abc import Iterator
 from contextlib import suppress
-from typing import Annotated, Any, ClassVar, Literal, Self
+from typing import Any, ClassVar
 
 import numpy as np
-from pydantic import Field, model_validator
 
 from app.calculations.design import (
     DesignFields,
@@ -13,36 +12,31 @@ from app.calculations.design import (
     ForcesUsed,
     forces_used,
 )
-from app.calculations.mechanism import MAX_SATELLITES, TOUCHING, CrankContactFields
-from app.calculations.named_bearing import NamedBearingFields, bearing_name
+from app.calculations.mechanism import TOUCHING, CrankContactFields
+from app.calculations.named_bearing import NamedBearingFields
 from app.calculations.ring import RingFields
+from app.document import SectionFields
 from app.model import (
     AccuracyOut,
-    Angle,
     AssumingResponse,
     Calculation,
     Maybe,
-    PartFields,
-    RequestModel,
     ResponseModel,
-    Size,
     Values,
     WarningOut,
     WorkedFields,
-    quantity,
     result,
     timed,
 )
-from app.rules import Rule, field_error
+from app.rules import Rule
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import from_si
 from app.worked import worked
 from core.arrays import FloatArray
-from core.crank.balance import Counterweight
 from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
 from core.design.curves import design_bearings
-from core.design.sections import RollingBearing, Seat, Shaft
+from core.design.sections import CatalogueBearing, RollingBearing, SeatedBearing, Shaft
 from core.errors import NotKnown
 from core.worked.crank import bearing_steps
 from core.worked.step import Step
@@ -51,130 +45,26 @@ OF_PINS = ("contact_law", "deviations", "pin", "crank_support", "satellite_coupl
 """Sections that concern pins and holes."""
 
 
-class ShaftBearingFields(NamedBearingFields, group="bearing"):
+class ShaftBearingFields(NamedBearingFields, of=CatalogueBearing, group="bearing"):
     """A bearing of the crankshaft."""
 
-    name: Maybe[str] = bearing_name()
-    kind: Maybe[Literal["ball", "roller"]] = quantity("Rolling elements")
-    """Kind of rolling elements, which states the exponent of the load in the life: 3 for balls,
-    10/3 for rollers."""
-    dynamic_rating_N: Maybe[Size] = quantity("Dynamic load rating", "C", step=100)
-    """Basic dynamic load rating; without it the life is not calculated."""
-    bore_diameter_mm: Maybe[Size] = quantity("Bore", "d", step=1)
-    """Bore diameter of the bearing; bore, outer diameter and width together show if such a bearing
-    exists."""
-    outer_diameter_mm: Maybe[Size] = quantity("Outer diameter", "D", step=1)
-    """Outer diameter of the bearing, larger than its bore."""
-    width_mm: Maybe[Size] = quantity("Width", "B", step=1)
-    """Width of the bearing."""
-    limiting_speed_rpm: Maybe[Size] = quantity("Limiting speed", "n_lim", step=500)
-    """Limiting speed in the catalogue for the lubrication used; without it the speed is not
-    judged."""
 
-
-class BearingFields(ShaftBearingFields, group="bearing"):
+class BearingFields(ShaftBearingFields, of=RollingBearing, group="bearing"):
     """A rolling bearing as its catalogue gives it."""
 
-    static_rating_N: Maybe[Size] = quantity("Static load rating", "C₀", step=100)
-    """Basic static load rating, for the static safety."""
-    reliability_percent: float = quantity("Reliability", default=90.0, ge=90, le=99)
-    """Share of bearings that reach the life: 90, 95, 96, 97, 98 or 99 %."""
-    ring_factor: float = quantity("Factor of the rings", "V", default=1.0, step=0.1, ge=0.1, le=10)
-    """Rotation factor V of the equivalent load; 1.2 is usual if the outer ring turns relative to
-    the load."""
-    weibull_slope: Maybe[float] = quantity("Weibull slope", "β", step=0.1, ge=0.1, le=10)
-    """Slope of the Weibull distribution of lives, for the common life of all satellites' bearings,
-    without those of the crankshaft."""
 
-    def section(self, _: Any) -> RollingBearing:
-        """The bearing in SI units."""
-        return RollingBearing(**self.to_core())
-
-
-Place = Annotated[float, Field(ge=-1e12, le=1e12)]
-
-Unbalance = Annotated[float, Field(ge=0, le=1e12)]
-
-
-MAX_WEIGHTS = 20
-"""Largest number of counterweights."""
-
-
-class CounterweightFields(PartFields, group="crankshaft"):
-    """Mass on the shaft off its axis."""
-
-    unbalance_kg_mm: Unbalance = quantity("Unbalance", "U", step=0.1)
-    """Mass of the counterweight times the distance of its centre of mass from the axis."""
-    position_mm: Place = quantity("Place", "z", step=1)
-    """Position of the counterweight's middle along the shaft, from the same point as those of the
-    satellites."""
-    angle_deg: Angle = quantity("Direction", "β", default=180.0, step=15)
-    """Direction of the counterweight, measured like the crank angles; 180° is opposite to a crank
-    at 0°."""
-
-    def section(self) -> Counterweight:
-        """Counterweight in SI units."""
-        return Counterweight(**self.to_core())
-
-
-class SeatedBearingFields(ShaftBearingFields, PartFields, group="crankshaft"):
+class SeatedBearingFields(ShaftBearingFields, of=SeatedBearing, group="crankshaft"):
     """Bearing of the crankshaft, and the part that holds it."""
 
-    seat: Seat = quantity("Sits in", alias="in", default="housing")
-    """Part in which the bearing sits: the housing, or the part of the pins or of the ring if it
-    turns. The life uses the speed of the crankshaft relative to that part."""
 
-    def section(self) -> RollingBearing:
-        """The bearing in SI units."""
-        return RollingBearing(**self.to_core())
-
-
-class CrankshaftFields(RequestModel, group="crankshaft"):
+class CrankshaftFields(SectionFields, of=Shaft, group="crankshaft"):
     """Crankshaft with the places of its loads and bearings."""
-
-    satellite_positions_mm: list[Place] = quantity(
-        "Places of the satellites", "z₁ … z_K", min_length=1, max_length=MAX_SATELLITES
-    )
-    """Middle plane of each satellite along the shaft."""
-    bearing_positions_mm: list[Place] = quantity(
-        "Places of the bearings", "A, B", min_length=2, max_length=2
-    )
-    """Position of both bearings along the shaft, ascending; satellites may lie beyond them."""
-    satellite_mass_kg: Maybe[Size] = quantity("Mass of a satellite", "m", step=0.1)
-    """Mass of one satellite with its bearing; without it the balance is not calculated, and
-    bearings carry no centrifugal forces."""
-    counterweights: Maybe[list[CounterweightFields]] = quantity(
-        "Counterweights", max_length=MAX_WEIGHTS
-    )
-    """Counterweights on the shaft; the mass of a satellite has to be given as well."""
-    rotor_mass_kg: Maybe[Size] = quantity("Mass of what turns", "M", step=0.1)
-    """Mass of all parts that turn with the crankshaft, for the balance grade; the mass of the
-    satellites if not given."""
-    eccentric_diameter_mm: Maybe[Size] = quantity("Diameter of the eccentrics", "d_e", step=1)
-    """Diameter of the eccentric inside the satellite's bearing."""
-    shaft_diameter_mm: Maybe[Size] = quantity("Diameter of the shaft", "d_s", step=1)
-    """Diameter of the shaft between the eccentrics and in its bearings."""
-    bearings: Maybe[list[SeatedBearingFields]] = Field(
-        min_length=2,
-        max_length=2,
-        description="Both bearings of the crankshaft; ball bearings in the housing if not given.",
-    )
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Assumed values, with those of named bearings."""
         yield from super().assumed()
         for index, each in enumerate(self.bearings or ()):
             yield from ((("bearings", str(index), *path), value) for path, value in each.assumed())
-
-    @model_validator(mode="after")
-    def _weights_of_masses(self) -> Self:
-        if self.counterweights and self.satellite_mass_kg is None:
-            raise field_error("satellite_mass_kg", "needed_beside", field="counterweights")
-        return self
-
-    def section(self, _: Any) -> Shaft:
-        """The shaft in SI units."""
-        return Shaft(**self.to_core())
 
 
 class CrankedRequest(DesignFields, WorkedFields):

@@ -39,6 +39,7 @@ from app.worked import worked
 from core.checks.check import Verdict
 from core.checks.plain import LINE_MATERIALS, ShaftDesign, shaft_checks
 from core.design.document import not_given
+from core.design.sections import FatigueBasis
 from core.errors import Notice, NotKnown, if_known
 from core.fatigue import FatigueStrength
 from core.fixes.plain import plain_fixes
@@ -167,7 +168,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         """Fatigue strength of the shaft, or why it is not known; None if not requested."""
         if self.fatigue is None:
             return None
-        basis = self.fatigue.section()
+        basis: FatigueBasis = self.fatigue.section()
 
         def strength(diameter: float) -> FatigueStrength:
             return basis.of(

@@ -28,7 +28,7 @@ from core.crank.envelope import (
 )
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import RollingBearing
+from core.design.sections import CatalogueBearing, RollingBearing
 from core.errors import Accuracy, NotKnown, required
 
 PRESSED = 1e-4
@@ -149,12 +149,10 @@ def _fitting(kind: Kind, room: float, *, wide: bool) -> Check:
     return found._replace(status="marginal", warning=True, reason="wider_than_satellite")
 
 
-def _possible(kind: Kind, bearing: RollingBearing, bounds: Bounds, **more: Any) -> Check:
+def _possible(kind: Kind, bearing: CatalogueBearing, bounds: Bounds, **more: Any) -> Check:
     """Check of the larger rating over the largest that such a bearing can have."""
-    given = (
-        (bearing.dynamic_rating, bounds.dynamic),
-        (bearing.static_rating, bounds.static),
-    )
+    static = bearing.static_rating if isinstance(bearing, RollingBearing) else None
+    given = ((bearing.dynamic_rating, bounds.dynamic), (static, bounds.static))
     shares = [rating / bound for rating, bound in given if rating is not None]
     if not shares:
         raise NotKnown("rating_unknown", "bearing.dynamic_rating")
@@ -166,14 +164,14 @@ def _possible(kind: Kind, bearing: RollingBearing, bounds: Bounds, **more: Any) 
     return found._replace(status="marginal", warning=True, reason=reason)
 
 
-def _known_sizes(bearing: RollingBearing, *paths: str) -> tuple[float, ...]:
+def _known_sizes(bearing: CatalogueBearing, *paths: str) -> tuple[float, ...]:
     """Bore, outer diameter and width of a bearing, m; `NotKnown` unless all are given."""
     if not bearing.sizes:
         raise NotKnown("envelope_unknown", *paths)
     return bearing.sizes
 
 
-def _largest(bearing: RollingBearing, *paths: str) -> Bounds:
+def _largest(bearing: CatalogueBearing, *paths: str) -> Bounds:
     """Largest ratings of a bearing by its sizes; `NotKnown` unless all are given."""
     bore, outer, width = _known_sizes(bearing, *paths)
     return largest_ratings(kind=bearing.kind, bore_diameter=bore, outer_diameter=outer, width=width)

@@ -12,6 +12,7 @@ import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, check_not_negative, check_positive
 from core.errors import InvalidInput
+from core.fields import LARGEST, quantity
 from core.precision import ROUNDING
 
 
@@ -19,9 +20,14 @@ from core.precision import ROUNDING
 class Counterweight:
     """Mass on the shaft off its axis."""
 
-    unbalance: float  # U_k, mass times radius, kg*m
-    position: float  # z_k of its middle along the shaft, m
-    angle: float  # beta_k of its direction, counted like crank angles, rad
+    unbalance: float = quantity("Unbalance", "U", "kg_mm", step=0.1, ge=0, le=LARGEST)
+    """Mass of the counterweight times the distance of its centre of mass from the axis."""
+    position: float = quantity("Place", "z", "mm", step=1, ge=-LARGEST, le=LARGEST)
+    """Position of the counterweight's middle along the shaft, from the same point as those of the
+    satellites."""
+    angle: float = quantity("Direction", "β", "deg", default=math.pi, step=15, ge=-3600, le=3600)
+    """Direction of the counterweight, measured like the crank angles; 180° is opposite to a crank
+    at 0°."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,8 +3,9 @@
 import math
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Literal, NamedTuple, get_args
+from typing import ClassVar, Literal, NamedTuple, get_args
 
+from core.bearings import BEARINGS
 from core.crank.balance import Counterweight
 from core.crank.bearing_life import Bearing
 from core.crank.pin_rollers import FRICTION, Ratings, RollerKind
@@ -23,10 +24,10 @@ from core.fatigue import (
     size_factor,
     surface_factor,
 )
-from core.fields import optional_size, quantity
+from core.fields import LARGEST, Forms, Rule, optional_size, quantity, size
 from core.hertz import ElasticMaterial
 from core.output.elasticity import PinSupport
-from core.output.mechanism import Output
+from core.output.mechanism import MAX_SATELLITES, Output
 from core.output.pin_bolt import PinBolt
 from core.output.pin_fatigue import FatigueStrength
 from core.output.sampled_turn import Direction
@@ -46,6 +47,15 @@ PartName = Literal[
 
 PART_NAMES: tuple[PartName, ...] = get_args(PartName)
 """Parts of a reducer, keys of `PARTS` in `core.checks.crank_planetary`."""
+
+
+bearing_name = partial(
+    quantity, "Bearing", default=None, options=(*BEARINGS,), lengths=((None, 40),)
+)
+"""Name in the table of bearings."""
+
+MAX_WEIGHTS = 20
+"""Largest number of counterweights."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -263,19 +273,55 @@ USUAL_RELIABILITY = 50.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class FatigueBasis:
-    """Factors and criterion of the fatigue strength of a pin, as far as they are given."""
+class Notch:
+    """Notch of the part at its largest bending stress."""
 
-    surface: Surface | None = None  # manufacture of the surface
-    surface_factor: float | None = None  # in place of `surface`
-    edition: Edition = "shigley_11"  # source of the constants of the surface
-    reliability_percent: float | None = None  # None: 50
-    reliability_factor: float | None = None  # in place of the reliability
-    fatigue_notch_factor: float | None = None  # Kf of the seat or a notch
-    notch: tuple[float, float] | None = None  # Kt and notch radius, m, in place of Kf
-    endurance_limit: float | None = None  # Se with all factors, Pa
-    criterion: Criterion = "goodman"  # effect of the mean stress
-    life: float | None = None  # s; None: the required life
+    theoretical_factor: float = quantity("Stress concentration", "K_t", step=0.1, ge=1, le=100)
+    """Elastic stress concentration factor of the notch."""
+    radius: float = size("Notch radius", "r", "mm", step=0.1)
+    """Radius of the notch."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FatigueBasis:
+    """Basis of the fatigue strength of a part; a pin is loaded once a turn of the crank against the
+    pins.
+    """
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("surface",), ("surface_factor",), ("endurance_limit",)),
+        (("reliability_percent",), ("reliability_factor",), ()),
+        (("fatigue_notch_factor",), ("notch",), ()),
+    )
+
+    surface: Surface | None = quantity("Surface", default=None)
+    """Finish of the surface; cold-drawn counts as machined."""
+    surface_factor: float | None = quantity(
+        "Surface factor", "k_a", default=None, step=0.05, ge=0.01, le=1
+    )
+    """Surface factor, given instead of the finish of the surface."""
+    edition: Edition = quantity("Edition", default="shigley_11", advanced=True)
+    """Edition of Shigley from which the constants of the surface factor are taken."""
+    reliability_percent: float | None = quantity("Reliability", default=None, ge=50, le=99.99)
+    """Reliability of 50, 90, 95, 99, 99.9 or 99.99 %; 50 % if neither the reliability nor its
+    factor is given."""
+    reliability_factor: float | None = quantity(
+        "Reliability factor", "k_e", default=None, step=0.05, ge=0.01, le=1
+    )
+    """Reliability factor, given instead of the reliability."""
+    fatigue_notch_factor: float | None = quantity(
+        "Fatigue notch factor", "K_f", default=None, step=0.1, ge=1, le=100
+    )
+    """Fatigue notch factor of the seat or of any notch at the place of the largest bending; 1 means
+    no notch."""
+    notch: Notch | None = quantity(default=None)
+    endurance_limit: float | None = optional_size("Endurance limit", "S_e", "MPa", step=10)
+    """Endurance limit of the part itself, with all factors included."""
+    criterion: Criterion = quantity("Criterion", default="goodman")
+    """Criterion for the mean stress: Goodman, Gerber, Soderberg, or Haigh as in FKM."""
+    life: float | None = optional_size("Life", "L", "h", step=500)
+    """Required life of the pins, of the requirements if not given; for fewer than a million cycles
+    their strength is above the endurance limit."""
 
     def strength(self, pin: DesignPin) -> FatigueStrength:
         """Fatigue strength of a pin.
@@ -318,14 +364,15 @@ class FatigueBasis:
             name = "fatigue.fatigue_notch_factor"
             notch = required(self.fatigue_notch_factor, "notch_unknown", name)
         else:
-            theoretical, radius = self.notch
             strength = tensile / 1e6
             beyond += beyond_range(
                 code="notch_beyond_strength", value=strength, ends=NOTCH_STRENGTHS
             )
             notch = float(
                 notch_factor(
-                    theoretical_factor=theoretical, radius=radius, tensile_strength=tensile
+                    theoretical_factor=self.notch.theoretical_factor,
+                    radius=self.notch.radius,
+                    tensile_strength=tensile,
                 )
             )
         surface = self.surface_factor
@@ -360,23 +407,62 @@ class Friction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rollers:
-    """Rolling bearings on the pins whose outer rings roll in the holes, as catalogues give them."""
+    """Rolling bearings on the pins, whose outer rings roll in the holes."""
 
-    kind: RollerKind  # kind of rolling elements
-    ratings: Ratings = "bearing"  # load ratings of a bearing in a rigid seat, or of a roller
-    bore_diameter: float  # d, diameter of the pins, m
-    outer_diameter: float | None = None  # D, twice the radius that touches the hole, m
-    width: float = math.inf  # B of one, m; infinite if not given
-    per_satellite: int = 1  # rollers side by side under each satellite
-    dynamic_rating: float | None = None  # C of one, N
-    static_rating: float | None = None  # C0, N
-    rolling_elements: int | None = None  # Z
-    max_radial_load: float = math.inf  # F_r allowed by the maker, N; infinite if not given
-    max_static_radial_load: float = math.inf  # F_0r allowed, N; infinite if not given
-    # G_r, radial internal clearance, m: an outer ring moves by half of it to either side.
-    radial_clearance: float | None = None
-    friction_coefficient: float | None = None  # mu_b, at the bore
-    limiting_speed: float | None = None  # speed of the outer ring on the pin, rad/s
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("kind",), ("name",), ("kind", "name")),
+        (("bore_diameter",), ("name",), ("bore_diameter", "name")),
+    )
+
+    name: str | None = bearing_name()
+    """Name in the table of bearings, such as 686, from which the sizes and the lowest load ratings
+    of the makers are taken; values that are given as well replace them."""
+    kind: RollerKind = quantity("Rolling elements", filled=True)
+    """Balls, cylindrical rollers or needles."""
+    bore_diameter: float = size("Bore", "d", "mm", step=1, filled=True)
+    """Bore diameter of the bearing, equal to the pin diameter."""
+    outer_diameter: float | None = optional_size("Outer diameter", "D", "mm", step=1)
+    """Outer diameter of the bearing, twice the radius that touches the holes."""
+    width: float = size("Width", "B", "mm", default=math.inf, step=0.5)
+    """Width of one bearing; the contact with the hole is not longer than the bearings."""
+    per_satellite: int = quantity(
+        "Bearings side by side", "n", default=1, ge=1, le=20, advanced=True
+    )
+    """Number of bearings on each pin under each satellite, which share the force evenly."""
+    dynamic_rating: float | None = optional_size("Dynamic load rating", "C", "N", step=100)
+    """Basic dynamic load rating of one bearing, for the life."""
+    static_rating: float | None = optional_size("Static load rating", "C₀", "N", step=100)
+    """Basic static load rating of one bearing, for the static safety."""
+    ratings: Ratings = quantity("Ratings of", default="bearing")
+    """Kind of bearing to which the ratings apply: a bearing, whose ratings hold in a rigid seat, so
+    that a lower bound without a seat is used; or a track roller, whose ratings by the maker include
+    the missing seat."""
+    rolling_elements: int | None = quantity("Number of elements", "Z", default=None, ge=3, le=200)
+    """Number of rolling elements of a bearing; more elements leave less of the ratings without a
+    seat."""
+    max_radial_load: float = size(
+        "Largest load", "F_r", "N", default=math.inf, step=100, advanced=True
+    )
+    """Largest load of a track roller by its maker, limited by the bending of the outer ring."""
+    max_static_radial_load: float = size(
+        "Largest static load", "F_0r", "N", default=math.inf, step=100, advanced=True
+    )
+    """Largest static load of a track roller by its maker, compared with the load at the peak
+    torque."""
+    radial_clearance: float | None = quantity(
+        "Clearance of the bearings", "G_r", "mm", default=None, step=0.005, ge=0, le=LARGEST
+    )
+    """Radial internal clearance as stated in catalogues; half of it adds to the clearance of pins
+    and holes."""
+    friction_coefficient: float | None = quantity(
+        "Friction of the bearings", "μ_b", default=None, step=0.0005, ge=0, le=10, advanced=True
+    )
+    """Friction coefficient of the bearing at its bore; 0.0015 for balls, 0.002 for cylindrical
+    rollers, 0.003 for needles if not given."""
+    limiting_speed: float | None = optional_size(
+        "Limiting speed", "n_lim", "rpm", step=500, advanced=True
+    )
+    """Limiting speed in the catalogue; without it the speed is not judged."""
 
     @property
     def play(self) -> float:
@@ -404,9 +490,9 @@ class Rollers:
         if len(given) > 1 and not math.isclose(given[0][1], given[1][1], rel_tol=SAME):
             touches = {"field": "pin_radius", "limit": touching}
             raise InvalidInput("rollers.outer_diameter", outer, "only_one", **touches)
-        for field, size in given:
-            if not self.bore_diameter < size:
-                bore, than = self.bore_diameter, {"field": field, "limit": size}
+        for field, diameter in given:
+            if not self.bore_diameter < diameter:
+                bore, than = self.bore_diameter, {"field": field, "limit": diameter}
                 raise InvalidInput("rollers.bore_diameter", bore, "smaller_than", **than)
         if pin_diameter and not math.isclose(pin_diameter, self.bore_diameter, rel_tol=SAME):
             raise InvalidInput("pin.diameter", pin_diameter, "only_one", field="bore_diameter")
@@ -420,20 +506,29 @@ class Rollers:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class RollingBearing:
+class CatalogueBearing:
     """Rolling bearing, as its catalogue gives it."""
 
-    kind: Bearing  # kind of rolling elements
-    dynamic_rating: float | None = None  # C, N
-    static_rating: float | None = None  # C0, N
-    reliability_percent: float = 90.0  # share of bearings that reach the life
-    ring_factor: float = 1.0  # factor V of the equivalent load
-    weibull_slope: float | None = None  # slope of the distribution of lives
-    bore_diameter: float | None = None  # d, m
-    outer_diameter: float | None = None  # D, m
-    width: float | None = None  # B, m
-    limiting_speed: float | None = None  # speed of its rings against each other, rad/s
-    seat: Seat = "housing"  # part that holds a crankshaft bearing
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("kind",), ("name",), ("kind", "name")),)
+
+    name: str | None = bearing_name()
+    """Name in the table of bearings, such as 686, from which the sizes and the lowest load ratings
+    of the makers are taken; values that are given as well replace them."""
+    kind: Bearing = quantity("Rolling elements", filled=True)
+    """Kind of rolling elements, which states the exponent of the load in the life: 3 for balls,
+    10/3 for rollers."""
+    dynamic_rating: float | None = optional_size("Dynamic load rating", "C", "N", step=100)
+    """Basic dynamic load rating; without it the life is not calculated."""
+    bore_diameter: float | None = optional_size("Bore", "d", "mm", step=1)
+    """Bore diameter of the bearing; bore, outer diameter and width together show if such a bearing
+    exists."""
+    outer_diameter: float | None = optional_size("Outer diameter", "D", "mm", step=1)
+    """Outer diameter of the bearing, larger than its bore."""
+    width: float | None = optional_size("Width", "B", "mm", step=1)
+    """Width of the bearing."""
+    limiting_speed: float | None = optional_size("Limiting speed", "n_lim", "rpm", step=500)
+    """Limiting speed in the catalogue for the lubrication used; without it the speed is not
+    judged."""
 
     @property
     def sizes(self) -> tuple[float, float, float] | tuple[()]:
@@ -450,20 +545,74 @@ class RollingBearing:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class RollingBearing(CatalogueBearing):
+    """Bearing of a satellite on its crank."""
+
+    static_rating: float | None = optional_size("Static load rating", "C₀", "N", step=100)
+    """Basic static load rating, for the static safety."""
+    reliability_percent: float = quantity("Reliability", default=90.0, ge=90, le=99)
+    """Share of bearings that reach the life: 90, 95, 96, 97, 98 or 99 %."""
+    ring_factor: float = quantity("Factor of the rings", "V", default=1.0, step=0.1, ge=0.1, le=10)
+    """Rotation factor V of the equivalent load; 1.2 is usual if the outer ring turns relative to
+    the load."""
+    weibull_slope: float | None = quantity(
+        "Weibull slope", "β", default=None, step=0.1, ge=0.1, le=10
+    )
+    """Slope of the Weibull distribution of lives, for the common life of all satellites' bearings,
+    without those of the crankshaft."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SeatedBearing(CatalogueBearing):
+    """Bearing of the crankshaft, and the part that holds it."""
+
+    seat: Seat = quantity("Sits in", alias="in", default="housing")
+    """Part in which the bearing sits: the housing, or the part of the pins or of the ring if it
+    turns. The life uses the speed of the crankshaft relative to that part."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Shaft:
     """Crankshaft with the places of its loads and bearings."""
 
-    satellite_positions: tuple[float, ...]  # middle plane of each satellite along the shaft, m
-    bearing_positions: tuple[float, float]  # m
-    satellite_mass: float | None = None  # satellite and bearing, kg
-    counterweights: tuple[Counterweight, ...] = ()
-    rotor_mass: float | None = None  # all parts turning with the shaft, kg; None: satellites
-    bearings: tuple[RollingBearing, ...] = ()  # two, or empty if not given
-    eccentric_diameter: float | None = None  # diameter of the crank in its bearing, m
-    shaft_diameter: float | None = None  # between the cranks, m
+    BETWEEN: ClassVar[tuple[Rule, ...]] = (
+        Rule("satellite_mass", "needed_beside", "counterweights"),
+    )
+
+    satellite_positions: tuple[float, ...] = quantity(
+        "Places of the satellites",
+        "z₁ … z_K",
+        "mm",
+        lengths=((1, MAX_SATELLITES),),
+        ge=-LARGEST,
+        le=LARGEST,
+    )
+    """Middle plane of each satellite along the shaft."""
+    bearing_positions: tuple[float, float] = quantity(
+        "Places of the bearings", "A, B", "mm", lengths=((2, 2),), ge=-LARGEST, le=LARGEST
+    )
+    """Position of both bearings along the shaft, ascending; satellites may lie beyond them."""
+    satellite_mass: float | None = optional_size("Mass of a satellite", "m", "kg", step=0.1)
+    """Mass of one satellite with its bearing; without it the balance is not calculated, and
+    bearings carry no centrifugal forces."""
+    counterweights: tuple[Counterweight, ...] = quantity(
+        "Counterweights", default=(), lengths=((None, MAX_WEIGHTS),)
+    )
+    """Counterweights on the shaft; the mass of a satellite has to be given as well."""
+    rotor_mass: float | None = optional_size("Mass of what turns", "M", "kg", step=0.1)
+    """Mass of all parts that turn with the crankshaft, for the balance grade; the mass of the
+    satellites if not given."""
+    eccentric_diameter: float | None = optional_size(
+        "Diameter of the eccentrics", "d_e", "mm", step=1
+    )
+    """Diameter of the eccentric inside the satellite's bearing."""
+    shaft_diameter: float | None = optional_size("Diameter of the shaft", "d_s", "mm", step=1)
+    """Diameter of the shaft between the eccentrics and in its bearings."""
+    bearings: tuple[SeatedBearing, ...] = quantity(default=(), lengths=((2, 2),))
+    """Both bearings of the crankshaft; ball bearings in the housing if not given."""
 
     @property
-    def known_bearings(self) -> tuple[RollingBearing, ...]:
+    def known_bearings(self) -> tuple[SeatedBearing, ...]:
         """Both bearings of the crankshaft; `NotKnown` if they are not given."""
         if not self.bearings:
             raise NotKnown("rating_unknown", "crankshaft.bearings")

@@ -24,6 +24,7 @@ from core.arrays import FloatArray, Number, check_positive, larger, log
 from core.drive.engine import CONFORMAL, HERTZ, HERTZ_END, LINEAR, POWER
 from core.drive.model import Bending
 from core.errors import InvalidInput
+from core.fields import LARGEST, quantity, size
 from core.hertz import ElasticMaterial, effective_modulus
 from core.materials import SOFT
 from core.output.conformal_law import NO_CURVE, Curve, approach_over_load, conformal_curve, end
@@ -501,8 +502,14 @@ RIGID_SUPPORT = SatelliteSupport()
 class CrankSupport(SatelliteSupport):
     """Bearing of each satellite on its crank."""
 
-    stiffness: float = math.inf  # k_b of one bearing, radial, N/m; infinite where not given
-    radial_clearance: float = 0.0  # G, m: the inner ring moves by G/2 to either side of its middle
+    stiffness: float = size(
+        "Stiffness of a bearing", "k_b", "N_per_mm", default=math.inf, step=10_000
+    )
+    """Radial stiffness of the bearing of one satellite; the bearing is rigid if not given."""
+    radial_clearance: float = quantity(
+        "Clearance of a bearing", "G", "mm", default=0.0, step=0.005, ge=0, le=LARGEST
+    )
+    """Radial internal clearance as stated in catalogues; half of it lies on either side."""
 
     @property
     def gives(self) -> bool:

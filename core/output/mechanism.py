@@ -34,6 +34,9 @@ from core.arrays import FloatArray, Number, check_positive, check_single
 from core.errors import Accuracy, InvalidInput, Notice, required
 from core.precision import AS_TYPED, ROUNDING, SAME
 
+MAX_SATELLITES = 100
+"""Largest number of satellites of a mechanism."""
+
 
 @dataclass(frozen=True)
 class Mechanism:

@@ -17,6 +17,7 @@ import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, check_finite, check_positive, check_single
 from core.errors import Accuracy, InvalidInput
+from core.fields import quantity
 from core.precision import AS_TYPED, ROUNDING
 
 MOST_POINTS = 200_000
@@ -39,9 +40,41 @@ ALONG = 4
 class Modification:
     """Offsets of the tool from the ring pins, which give the mesh its backlash."""
 
-    equidistant: float = 0.0  # change of the tool radius, m; positive makes the disc smaller
-    pin_circle: float = 0.0  # change of the tool's circle radius, m; negative: disc is smaller
-    rotation: float = 0.0  # angle by which flanks are turned against each other, rad, >= 0
+    equidistant: float = quantity(
+        "Equidistant modification",
+        "Δ_e",
+        "mm",
+        default=0.0,
+        step=0.005,
+        ge=-0.5,
+        le=0.5,
+        or_zero=True,
+    )
+    """Radius of the tool less that of the ring pins; a positive value makes the disc smaller all
+    around."""
+    pin_circle: float = quantity(
+        "Modification of the circle",
+        "Δ_p",
+        "mm",
+        default=0.0,
+        step=0.005,
+        ge=-0.5,
+        le=0.5,
+        or_zero=True,
+    )
+    """Radius of the tool's circle less that of the ring pins; a negative value makes the disc
+    smaller."""
+    rotation: float = quantity(
+        "Modification by rotation",
+        "δ_r",
+        "arcmin",
+        default=0.0,
+        step=0.5,
+        ge=0,
+        le=30,
+        or_zero=True,
+    )
+    """Angle by which the flanks are turned to either side; tips and roots are left out."""
 
 
 @dataclass(frozen=True)

@@ -28,7 +28,6 @@ def _notch(sheet: Sheet, basis: FatigueBasis, factor: float, in_stress: bool) ->
     if basis.notch is None:
         sheet.state("notch", "K_f", "in_stress" if in_stress else "given", value=factor)
         return
-    theoretical, radius = basis.notch
     strength, name = sheet.known["R_m"].value, "R_m"
     low, high = (each * 1e6 for each in NOTCH_STRENGTHS)
     held = min(max(strength, low), high)
@@ -37,8 +36,8 @@ def _notch(sheet: Sheet, basis: FatigueBasis, factor: float, in_stress: bool) ->
         sheet.take("R_1", "tensile_strength", low)
         sheet.take("R_2", "tensile_strength", high)
         sheet.work("notch_strength", name, "min(max(R_m,R_1),R_2)", held, **SHIGLEY)
-    sheet.take("K_t", "theoretical_factor", theoretical)
-    sheet.take("r", "radius", radius)
+    sheet.take("K_t", "theoretical_factor", basis.notch.theoretical_factor)
+    sheet.take("r", "radius", basis.notch.radius)
     sheet.take("r_0", "radius", 1e-3)
     part = held / 1e6
     root = 1.24 - 2.25e-3 * part + 1.6e-6 * part**2 - 4.11e-10 * part**3

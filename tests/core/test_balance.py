@@ -17,7 +17,7 @@ from core.crank.satellite_bearing import bearing_curves, satellite_bearings
 from core.design.curves import design_bearings, design_reactions
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import RollingBearing, Shaft
+from core.design.sections import SeatedBearing, Shaft
 from core.errors import InvalidInput, NotKnown
 from core.output.mechanism import Mechanism
 from core.output.room import Deviations
@@ -321,7 +321,7 @@ def single(*counterweights: Counterweight, **changes: Any) -> Design:
         satellite_mass=changes.pop("satellite_mass", 1.5),
         counterweights=counterweights,
         rotor_mass=changes.pop("rotor_mass", None),
-        bearings=(RollingBearing(kind="ball", dynamic_rating=40e3, **SIZES),) * 2,
+        bearings=(SeatedBearing(kind="ball", dynamic_rating=40e3, **SIZES),) * 2,
     )
     pin = replace(WHOLE.pin, satellite_positions=(0.015,))  # type: ignore[type-var]
     return having(WHOLE, satellites=1, output_torque=250.0, crankshaft=shaft, pin=pin, **changes)

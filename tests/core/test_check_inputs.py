@@ -30,6 +30,7 @@ from core.design.sections import (
     Rollers,
     RollingBearing,
     SatelliteBody,
+    SeatedBearing,
     Temperatures,
 )
 from core.errors import CalculationError, if_known
@@ -98,8 +99,8 @@ ALL = having(
     crankshaft=replace(
         WHOLE.crankshaft,
         bearings=(
-            RollingBearing(kind="ball", dynamic_rating=50e3, **ENVELOPE),
-            RollingBearing(kind="roller", dynamic_rating=60e3, **ENVELOPE),
+            SeatedBearing(kind="ball", dynamic_rating=50e3, **ENVELOPE),
+            SeatedBearing(kind="roller", dynamic_rating=60e3, **ENVELOPE),
         ),
         shaft_diameter=0.02,
     ),

@@ -12,7 +12,7 @@ from core.checks.walls import pins_apart
 from core.design.real_forces import RealForces
 from core.design.results import Results
 from core.design.ring import CycloidRing, InvoluteRing
-from core.design.sections import RollingBearing
+from core.design.sections import SeatedBearing
 from core.errors import NotKnown
 from core.output.contact_force import ContactForce
 from core.output.room import Deviations
@@ -282,7 +282,7 @@ def test_the_limit_of_a_check_is_known_without_its_value() -> None:
         input_speed=None,
         bearing=replace(WHOLE.bearing, static_rating=None, weibull_slope=10 / 9),
         crankshaft=replace(
-            WHOLE.crankshaft, bearings=(RollingBearing(kind="ball"), RollingBearing(kind="ball"))
+            WHOLE.crankshaft, bearings=(SeatedBearing(kind="ball"), SeatedBearing(kind="ball"))
         ),
     )
     found = crank_checks(Results(rated))

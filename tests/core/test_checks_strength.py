@@ -17,7 +17,7 @@ from core.checks.reserve import crank_verdict
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import CycloidRing, InvoluteRing, OtherRing
-from core.design.sections import RollingBearing, Shaft
+from core.design.sections import SeatedBearing, Shaft
 from core.errors import InvalidInput
 from core.fixes.changes import value_of, vary
 from core.hertz import ElasticMaterial
@@ -335,7 +335,7 @@ def test_a_satellite_relieves_its_bearing() -> None:
 
 def test_bearings_that_nothing_presses() -> None:
     """Four cranks, 0, 180, 180 and 0 degrees, even along the shaft: forces and couples cancel."""
-    balls = (RollingBearing(kind="ball", dynamic_rating=20e3),) * 2
+    balls = (SeatedBearing(kind="ball", dynamic_rating=20e3),) * 2
     even = having(
         rigid(satellites=4, crank_angles=(0.0, math.pi, math.pi, 0.0)),
         crankshaft=Shaft(
@@ -399,7 +399,7 @@ MISSING: dict[str, tuple[Design, tuple[str, ...], tuple[str, ...]]] = {
         ("crankshaft.satellite_mass",),
     ),
     "ratings of the shaft": (
-        part(WHOLE, "crankshaft", bearings=(RollingBearing(kind="ball"),) * 2),
+        part(WHOLE, "crankshaft", bearings=(SeatedBearing(kind="ball"),) * 2),
         ("crank_bearing_life",),
         ("crankshaft.bearings",),
     ),
@@ -532,8 +532,8 @@ def test_crankshaft() -> None:
     """Loads of 4396.504 N of balls; without the masses."""
     assert check_of("crank_bearing_life", WHOLE).missing == ("crankshaft.bearings",)
     bearings = (
-        RollingBearing(kind="ball", dynamic_rating=20e3),
-        RollingBearing(kind="roller", dynamic_rating=25e3),
+        SeatedBearing(kind="ball", dynamic_rating=20e3),
+        SeatedBearing(kind="roller", dynamic_rating=25e3),
     )
     rated = part(light(life=1000 * 3600.0), "crankshaft", bearings=bearings)
     found = check_of("crank_bearing_life", rated)
@@ -621,7 +621,7 @@ FAILING: dict[str, Design] = {
     "bearing_static": rigid(static_safety=2.0, peak_torque=1000.0),
     "system_life": part(rigid(), "bearing", weibull_slope=1.1),
     "crank_bearing_life": part(
-        rigid(), "crankshaft", bearings=(RollingBearing(kind="roller", dynamic_rating=15e3),) * 2
+        rigid(), "crankshaft", bearings=(SeatedBearing(kind="roller", dynamic_rating=15e3),) * 2
     ),
     "unbalance_force": one_at(0.015, max_unbalance=50.0),
     "unbalance_couple": having(WHOLE, max_unbalance_couple=1.0),

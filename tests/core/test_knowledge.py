@@ -13,7 +13,7 @@ from core.checks.reserve import NEAR, crank_verdict
 from core.contact_life import CURVES, LifeCurve
 from core.design.results import Results
 from core.design.ring import CycloidRing
-from core.design.sections import PART_NAMES, DesignPin, Friction, RollingBearing
+from core.design.sections import PART_NAMES, DesignPin, Friction, RollingBearing, SeatedBearing
 from core.hertz import ContactLimit, Layers
 from core.material_table import MATERIALS
 from core.materials import NOT_LISTED, PLASTICS, Range, TableMaterial, by_values
@@ -182,14 +182,14 @@ def test_a_metal_of_which_less_is_known_is_judged_no_milder(
 
 LASTING = ContactLimit("given", 1.5e9, curve="hardened")
 SMOOTH = replace(STEEL, limit=LASTING, yield_strength=600e6)
-BEARING = RollingBearing(
-    kind="roller",
-    dynamic_rating=40e3,
-    static_rating=30e3,
-    bore_diameter=0.03,
-    outer_diameter=0.062,
-    width=0.016,
-)
+CATALOGUE = {
+    "kind": "roller",
+    "dynamic_rating": 40e3,
+    "bore_diameter": 0.03,
+    "outer_diameter": 0.062,
+    "width": 0.016,
+}
+BEARING = RollingBearing(**CATALOGUE, static_rating=30e3)
 REDUCER = having(
     WHOLE,
     distribution_factor=1.05,
@@ -203,7 +203,7 @@ REDUCER = having(
         friction_coefficient=0.02,
     ),
     bearing=BEARING,
-    crankshaft=replace(WHOLE.crankshaft, bearings=(BEARING, BEARING)),
+    crankshaft=replace(WHOLE.crankshaft, bearings=(SeatedBearing(**CATALOGUE),) * 2),
     satellite_body=replace(REF.satellite_body, root_radius=0.09, bore_radius=0.0325),
     min_efficiency=0.5,
     scope=tuple(part for part in PART_NAMES if part != "teeth"),

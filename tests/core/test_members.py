@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from core.checks.crank_planetary import crank_check
 from core.design.document import changed
 from core.design.results import Results
-from core.design.sections import RollingBearing
+from core.design.sections import SeatedBearing
 from core.errors import NotKnown, is_known
 from core.output.mechanism import Members, Output
 from core.precision import CONVERGED, EXACT, SAME, SEARCHED
@@ -134,7 +134,7 @@ def test_a_ring_is_the_design_of_pins_under_its_share_of_torque_and_speed() -> N
 
 def test_speeds_of_crank_bearings_are_those_against_their_seat() -> None:
     lives = {}
-    ball = RollingBearing(kind="ball", dynamic_rating=50e3)
+    ball = SeatedBearing(kind="ball", dynamic_rating=50e3)
     for seat in ("housing", "carrier", "ring"):
         seated = replace(ball, seat=seat)
         shaft = replace(WHOLE.crankshaft, bearings=(seated, ball))
@@ -206,7 +206,7 @@ def test_bearings_turn_by_the_members_speeds() -> None:
     for output, speed in (("pins", crank * (u + 1) / u), ("ring", crank)):
         results = Results(changed(WHOLE, {"mechanism.output": output}))
         assert crank_check("bearing_speed", results).value == pytest.approx(speed, rel=SAME)
-    ball = RollingBearing(kind="ball", dynamic_rating=50e3, limiting_speed=2 * crank)
+    ball = SeatedBearing(kind="ball", dynamic_rating=50e3, limiting_speed=2 * crank)
     for seat, speed in (("housing", crank), ("ring", crank * u / (u + 1))):
         shaft = replace(WHOLE.crankshaft, bearings=(replace(ball, seat=seat),) * 2)
         design = changed(WHOLE, {"mechanism.output": "ring", "crankshaft": shaft})

@@ -15,7 +15,7 @@ from core.codes import REFUSALS
 from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import CycloidRing, OtherRing
-from core.design.sections import PART_NAMES, RollingBearing
+from core.design.sections import PART_NAMES, RollingBearing, SeatedBearing
 from core.hertz import ContactLimit, ElasticMaterial
 from core.material_table import MATERIALS
 from core.precision import EXACT, SAME
@@ -23,17 +23,17 @@ from core.ring.profile import Modification
 from core.tolerance.iso286 import CLASSES, fit_clearance
 from tests.inputs.checks import HOLE, PIN, REF, WHOLE, check_of, having
 
-BEARING = RollingBearing(
-    kind="ball",
-    dynamic_rating=18e3,
-    static_rating=11e3,
-    bore_diameter=0.03,
-    outer_diameter=0.062,
-    width=0.016,
-)
+CATALOGUE = {
+    "kind": "ball",
+    "dynamic_rating": 18e3,
+    "bore_diameter": 0.03,
+    "outer_diameter": 0.062,
+    "width": 0.016,
+}
+BEARING = RollingBearing(**CATALOGUE, static_rating=11e3)
 SHAFT = replace(
     WHOLE.crankshaft,
-    bearings=(replace(BEARING, static_rating=None),) * 2,
+    bearings=(SeatedBearing(**CATALOGUE),) * 2,
 )
 SOUND = having(
     WHOLE,
