@@ -24,7 +24,7 @@ from pydantic import AfterValidator, BeforeValidator
 from pydantic import Field as Limits
 
 from app.model import NO_DUST, Maybe, PartFields, no_dust, quantity, whole
-from app.rules import Forms, Rule
+from app.rules import Rule
 from app.units import Convert, from_si
 from core.fields import Input, help_of
 
@@ -48,11 +48,13 @@ SENT: dict[Any, Sent] = {}
 class SectionFields(PartFields):
     """Section of the document, or part of one.
 
-    A subclass names its dataclass of core as `of`, has its fields but those in `without`, and adds
-    what core does not know. `DOCUMENT` is the dataclass.
+    A subclass names its dataclass of core as `of`, or those of several kinds by kind. It has the
+    fields of that but those in `without`, or of those alone in `only`, and adds what core does not
+    know.
     """
 
     DOCUMENT: ClassVar[Any]
+    """Dataclass of the section, or dataclasses by kind."""
 
     if TYPE_CHECKING:
 
@@ -69,47 +71,96 @@ class SectionFields(PartFields):
         **config: Any,
     ) -> None:
         if of is not None:
+            kinds = _kinds(of)
             said = {
-                each.name: each
-                for each in fields(of)
-                if each.metadata and each.name not in without and (not only or each.name in only)
+                each.name: (each, kind)
+                for kind in reversed(kinds)
+                for each in reversed(_inputs(kind))
+                if each.name not in without and (not only or each.name in only)
             }
-            _say(cls, of, said, group)
+            _say(cls, [*reversed(said.values())], group, several=isinstance(of, Mapping))
+            _rule(cls, kinds, {name: name_of(each) for name, (each, _) in said.items()})
+            if isinstance(of, Mapping):
+                cls.KINDS = {name: _of_kind(kind) for name, kind in of.items()}
+            cls.DOCUMENT = of
         super().__init_subclass__(group=group, **config)
 
     def section(self, around: Any = None) -> Any:
         """Section in SI units; `around` is the request."""
-        return self.DOCUMENT(**self.to_core())
+        own, made = self.to_core(), self.DOCUMENT
+        if isinstance(made, Mapping):
+            made = made[self.kind]
+            names = {each.name for each in fields(made)}
+            own = {name: value for name, value in own.items() if name in names}
+        return made(**own)
 
 
-def _say(cls: Any, kind: Any, said: Mapping[str, Field[Any]], group: str | None) -> None:
-    """Give a model the fields of a dataclass, and its rules between them."""
-    hints, helps, own, converters = get_type_hints(kind), help_of(kind), cls.__annotations__, {}
-    annotations, extended = {}, getattr(cls, "DOCUMENT", None)
-    for each in said.values():
+def _kinds(of: Any) -> list[Any]:
+    """Dataclasses that a section is made of."""
+    return [*dict.fromkeys(of.values())] if isinstance(of, Mapping) else [of]
+
+
+def _inputs(kind: Any) -> list[Field[Any]]:
+    """Fields of a dataclass that the document has."""
+    return [each for each in fields(kind) if "input" in each.metadata]
+
+
+def _of_kind(kind: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Needed and optional fields of a dataclass, in names of JSON."""
+    own = _inputs(kind)
+    return (
+        tuple(name_of(each) for each in own if needed(each)),
+        tuple(name_of(each) for each in own if not needed(each)),
+    )
+
+
+def _say(cls: Any, said: list[tuple[Field[Any], Any]], group: str | None, *, several: bool) -> None:
+    """Give a model the fields of dataclasses that it does not inherit; a field of one of several
+    kinds is optional.
+    """
+    own, annotations, converters = cls.__annotations__, {}, {**cls.CONVERTERS}
+    for each, kind in said:
         name = name_of(each)
-        if name in cls.model_fields:  # a field of the model that is extended
+        if name in cls.model_fields:
             continue
-        sent = _sent(hints[each.name], each.metadata["input"], group)
+        sent = _sent(_hints(kind)[each.name], each.metadata["input"], group)
         if sent.convert is not None:
             converters[name] = sent.convert
         default = _default(each)
-        known = default is not None or needed(each)
-        annotations[name] = sent.annotation if known else OPTIONAL[sent.annotation]
+        optional = default is None and (several or not needed(each))
+        annotations[name] = OPTIONAL[sent.annotation] if optional else sent.annotation
         if name not in own:
-            setattr(cls, name, _shown(each, default, helps.get(each.name)))
-    cls.__annotations__ = annotations | own
-    cls.DOCUMENT = kind
+            setattr(cls, name, _shown(each, default, optional, help_of(kind).get(each.name)))
+    written = {name: each for name, each in own.items() if name not in annotations}
+    cls.__annotations__ = written | annotations | own
     cls.CONVERTERS = converters
-    for rules, named in (("ALTERNATIVES", _forms), ("BETWEEN", _rules)):
-        given = getattr(kind, rules, ())
-        if given is not getattr(extended, rules, ()):
-            setattr(cls, rules, tuple(named(given, said)))
+
+
+def _rule(cls: Any, kinds: list[Any], names: dict[str, str]) -> None:
+    """Give a model the rules of dataclasses between fields that it has."""
+    names |= {"kind": "kind"}
+    forms = [each for kind in kinds for each in getattr(kind, "ALTERNATIVES", ())]
+    rules = [each for kind in kinds for each in getattr(kind, "BETWEEN", ())]
+    if "ALTERNATIVES" not in vars(cls):
+        cls.ALTERNATIVES = tuple(
+            tuple(tuple(names[name] for name in form) for form in each)
+            for each in dict.fromkeys(forms)
+            if names.keys() >= {*chain(*each)}
+        )
+    if "BETWEEN" not in vars(cls):
+        cls.BETWEEN = tuple(
+            Rule(names[field], rule, names[other])
+            for field, rule, other in dict.fromkeys(rules)
+            if names.keys() >= {field, other}
+        )
 
 
 def name_of(each: Field[Any]) -> str:
     """Name of a field in a request: the name in core with its unit."""
     return f"{each.name}_{each.metadata['input'].unit}".removesuffix("_")
+
+
+_hints = cache(get_type_hints)
 
 
 def needed(each: Field[Any]) -> bool:
@@ -125,11 +176,11 @@ def _default(each: Field[Any]) -> Any:
     return from_si(name_of(each), each.default)
 
 
-def _shown(each: Field[Any], default: Any, text: str | None) -> Any:
+def _shown(each: Field[Any], default: Any, optional: bool, text: str | None) -> Any:
     """Field of a model, as pydantic takes it."""
     said: Input = each.metadata["input"]
     given: dict[str, Any] = {}
-    if default is not None or not needed(each):
+    if optional or default is not None:
         given["default"] = [*default] if isinstance(default, tuple) else default
     if said.alias:
         given["alias"] = said.alias
@@ -191,17 +242,3 @@ def _models(model: type[SectionFields]) -> Iterator[type[SectionFields]]:
     for each in model.__subclasses__():
         yield each
         yield from _models(each)
-
-
-def _forms(given: tuple[Forms, ...], said: Mapping[str, Field[Any]]) -> Iterator[Forms]:
-    """Alternatives between fields that a model has, in names of JSON."""
-    for forms in given:
-        if said.keys() >= {*chain(*forms)}:
-            yield tuple(tuple(name_of(said[name]) for name in form) for form in forms)
-
-
-def _rules(given: tuple[Rule, ...], said: Mapping[str, Field[Any]]) -> Iterator[Rule]:
-    """Rules between two fields that a model has, in names of JSON."""
-    for field, rule, other in given:
-        if said.keys() >= {field, other}:
-            yield Rule(name_of(said[field]), rule, name_of(said[other]))

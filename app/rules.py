@@ -36,14 +36,14 @@ def _name(model: Any, field: str) -> str:
 def alternatives(model: Any) -> tuple[Alternative, ...]:
     """Alternatives of a request and of all its nested models."""
     fields = {_name(model, field): field for field in model.model_fields}
-    every = chain.from_iterable(vars(each).get("ALTERNATIVES", ()) for each in model.__mro__)
+    every = (vars(each).get("ALTERNATIVES", ()) for each in model.__mro__)
     return tuple(
         Alternative(
             forms,
             frozenset(fields[name] for name in chain(*forms)),
             frozenset(frozenset(fields[name] for name in form) for form in forms),
         )
-        for forms in every
+        for forms in dict.fromkeys(chain.from_iterable(every))
     )
 
 
@@ -70,7 +70,7 @@ neither."""
 def between(model: Any) -> tuple[Rule, ...]:
     """Rules between the fields of a request and of all its nested models."""
     every = (vars(each).get("BETWEEN", ()) for each in reversed(model.__mro__))
-    return tuple(chain.from_iterable(every))
+    return tuple(dict.fromkeys(chain.from_iterable(every)))
 
 
 def _only(form: tuple[str, ...], names: Iterable[str]) -> dict[str, Any]:

@@ -14,12 +14,12 @@ from app.calculations.ring import RingPinDeviationsFields
 from app.calculations.ring_parts import CycloidRingFields
 from app.model import Maybe, ResponseModel, Values, quantity, result
 from app.problems import refusal
-from app.rules import Kinds, field_error
+from app.rules import field_error
 from app.settings import Settings
 from app.units import from_si, to_si
 from core.design.ring import CycloidRing
 from core.errors import InvalidInput
-from core.output.elasticity import RingInSeries, SatelliteSupport
+from core.output.elasticity import COUPLINGS
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations, Rooms
 from core.ring.series import MeshesInSeries, SeriesPosition, in_their_ring
@@ -49,9 +49,10 @@ class SeriesDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="d
     in the driving sense, larger, ahead.
     """
 
-    def section(self, _: Any = None) -> Deviations:
+    def section(self, around: Any = None) -> Deviations:
         """Deviations of the output mechanism in SI units."""
-        return DeviationsFields.section(self.model_copy(update=dict.fromkeys(OF_RING)))
+        made: Deviations = super().section()
+        return made.of_output
 
     def of_ring(self) -> RingDeviations:
         """Deviations of the ring in SI units."""
@@ -66,10 +67,8 @@ class SeriesDeviationsFields(DeviationsFields, RingPinDeviationsFields, group="d
         return (each for each in every if each[0] not in OF_RING)
 
 
-class SeriesCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):
+class SeriesCouplingFields(SatelliteCouplingFields, of=COUPLINGS, group="satellite_coupling"):
     """Sharing of the torque between the satellites."""
-
-    KINDS: ClassVar[Kinds] = {**SatelliteCouplingFields.KINDS, "ring": ((), ())}
 
     kind: Literal["rigid", "elastic", "shares", "ring"] = quantity(  # type: ignore[assignment]
         "Coupling of the satellites", default="rigid"
@@ -81,10 +80,6 @@ class SeriesCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):
 
 class DesignCouplingFields(SeriesCouplingFields, group="satellite_coupling"):
     """Sharing of the torque between the satellites of a design."""
-
-    def section(self, _: Any = None) -> SatelliteSupport:
-        """The coupling in SI units."""
-        return RingInSeries() if self.kind == "ring" else super().section()
 
 
 def of_the_ring(section: str, names: Sequence[str]) -> tuple[dict[str, Any], ...]:

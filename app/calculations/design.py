@@ -26,7 +26,7 @@ from app.calculations.ideal_forces import (
     force_of_one,
     peak_torque,
 )
-from app.calculations.mechanism import MAX_SATELLITES, Deviation, MechanismFields, PinContactFields
+from app.calculations.mechanism import MechanismFields, PinContactFields
 from app.calculations.pin import HeldPinFields, PinBoltFields, pin_places, strengths_of
 from app.calculations.pin_rollers import RollersFields
 from app.calculations.ring import RING_PIN_LISTS, RingPinDeviationsFields
@@ -43,7 +43,7 @@ from app.model import (
     result,
 )
 from app.problems import invalid_input, refusal, wrong
-from app.rules import Forms, Kinds, Rule, field_error
+from app.rules import Forms, Rule, field_error
 from app.settings import Settings
 from app.units import to_si
 from core.arrays import FloatArray
@@ -60,24 +60,18 @@ from core.design.sections import (
 from core.errors import Notice, if_known, required
 from core.output.contact_force import drawing_angles
 from core.output.elasticity import (
+    COUPLINGS,
     RIGID_SUPPORT,
     CrankSupport,
-    ElasticMesh,
     PinSupport,
     SatelliteSupport,
-    Shares,
     Supports,
 )
 from core.output.mechanism import Mechanism, PinFit, pin_fit
-from core.output.room import Deviations
+from core.output.room import OF_RING_PINS, Deviations
 from core.output.sampled_turn import Direction
-from core.precision import SAME
 
 Phase = Annotated[float, Field(ge=-360, le=360)]
-
-MAX_LISTED_PINS = 1000
-"""Largest number of pins whose deviations are listed one by one."""
-
 
 torque_direction = partial(
     quantity,
@@ -161,48 +155,23 @@ class CrankSupportFields(SectionFields, of=CrankSupport, group="crank_support"):
     gives: ClassVar[bool] = True
 
 
-CouplingKind = Literal["rigid", "elastic", "shares"]
-
-
-class SatelliteCouplingFields(RequestModel, group="satellite_coupling"):
+class SatelliteCouplingFields(
+    SectionFields,
+    of={kind: COUPLINGS[kind] for kind in ("rigid", "elastic", "shares")},
+    group="satellite_coupling",
+):
     """Sharing of the torque between the satellites."""
 
-    KINDS: ClassVar[Kinds] = {
-        "rigid": ((), ()),
-        "elastic": (("stiffness_Nm_per_arcmin",), ()),
-        "shares": (("shares",), ()),
-    }
-
-    kind: CouplingKind = quantity("Coupling of the satellites", default="rigid")
+    kind: Literal["rigid", "elastic", "shares"] = quantity(
+        "Coupling of the satellites", default="rigid"
+    )
     """Rigid: all satellites turn as one; elastic: each satellite gives in its mesh with the ring;
     shares: each satellite carries a given share."""
-    stiffness_Nm_per_arcmin: Maybe[Size] = quantity("Stiffness of a mesh", "k_D", step=1)
-    """Torque of one satellite over the rotation that its mesh allows, for elastic coupling."""
-    shares: Maybe[list[Annotated[float, Field(ge=1e-6, le=1)]]] = quantity(
-        "Shares of the torque", "w_j", min_length=1, max_length=MAX_SATELLITES
-    )
-    """Share of the torque that each satellite carries; the shares add up to 1."""
-
-    @model_validator(mode="after")
-    def _shares_of_one(self) -> Self:
-        total = math.fsum(self.shares or [1.0])
-        if abs(total - 1) > SAME:
-            raise field_error("shares", "sum_not_one", sum=total)
-        return self
 
     @property
     def gives(self) -> bool:
         """True if the coupling makes the satellites elastic."""
         return self.kind != "rigid"
-
-    def section(self, _: Any = None) -> SatelliteSupport:
-        """The coupling in SI units."""
-        match self.to_core():
-            case {"stiffness": stiffness}:
-                return ElasticMesh(stiffness)
-            case {"shares": shares}:
-                return Shares(tuple(shares))
-        return RIGID_SUPPORT
 
 
 GIVING = ("crank_support", "satellite_coupling")
@@ -264,47 +233,10 @@ class GivingFields(RequestModel):
             raise refusal("/satellite_coupling/shares", "different_length", **counts)
 
 
-OF_PINS = Field(min_length=1, max_length=MAX_LISTED_PINS)
-OF_SATELLITES = Field(min_length=1, max_length=MAX_SATELLITES)
-
-PerPin = Annotated[list[Deviation], OF_PINS]
-PerHole = Annotated[list[PerPin], OF_SATELLITES]
-PerSatellite = Annotated[list[Deviation], OF_SATELLITES]
-PhasePerSatellite = Annotated[list[Phase], OF_SATELLITES]
-
-
-class DeviationsFields(RequestModel, group="deviations"):
+class DeviationsFields(SectionFields, of=Deviations, without=OF_RING_PINS, group="deviations"):
     """Deviations of a piece from its nominal sizes: of each pin, of each hole satellite by
     satellite, of each crank or disc. Positive means outward, in the driving sense, larger, ahead.
     """
-
-    pin_radial_mm: Maybe[PerPin] = quantity("Pins outward", "ρ", step=0.001)
-    """Radial deviation of each pin's centre, positive outward."""
-    pin_tangential_mm: Maybe[PerPin] = quantity("Pins along the circle", "τ", step=0.001)
-    """Tangential deviation of each pin's centre, positive in the driving sense."""
-    pin_radius_mm: Maybe[PerPin] = quantity("Pin radii", "Δr", step=0.001)
-    """Deviation of each pin's radius, positive for a larger pin."""
-    hole_radial_mm: Maybe[PerHole] = quantity("Holes outward", "ρ_j", step=0.001)
-    """Radial deviation of each hole's centre, positive outward, as one list per satellite."""
-    hole_tangential_mm: Maybe[PerHole] = quantity("Holes along the circle", "τ_j", step=0.001)
-    """Tangential deviation of each hole's centre, positive in the driving sense, as one list per
-    satellite."""
-    hole_radius_mm: Maybe[PerHole] = quantity("Hole radii", "Δr_j", step=0.001)
-    """Deviation of each hole's radius, positive for a larger hole, as one list per satellite."""
-    eccentricity_mm: Maybe[PerSatellite] = quantity("Eccentricities", "Δe", step=0.001)
-    """Deviation of the eccentricity of each crank, positive for a larger one."""
-    crank_phase_deg: Maybe[PhasePerSatellite] = quantity("Crank phases", "Δα", step=0.001)
-    """Deviation of the angle of each crank, positive ahead."""
-    disc_phase_deg: Maybe[PhasePerSatellite] = quantity("Disc phases", "η", step=0.001)
-    """Deviation of the angle of each disc's holes relative to its teeth, positive ahead."""
-
-    def section(self, _: Any = None) -> Deviations:
-        """The deviations in SI units."""
-
-        def fixed(value: Any) -> Any:
-            return tuple(map(fixed, value)) if isinstance(value, list) else value
-
-        return Deviations(**{name: fixed(value) for name, value in self.to_core().items()})
 
     def refuse_other_lengths(self, pins: int, satellites: int) -> None:
         """Refuse lists that do not fit the mechanism."""

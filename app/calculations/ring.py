@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 from functools import partial
-from typing import Annotated, Any, ClassVar, Self, TypeVar
+from typing import Any, ClassVar, Self, TypeVar
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from app.calculations.contact_law import MeshLawFields
 from app.calculations.hertz import Material, contact_length, material_of
@@ -33,6 +33,7 @@ from core.design.ring import (
     RingPinSupport,
 )
 from core.design.ring import RingKind as Kind
+from core.output.room import OF_RING_PINS, Deviations
 from core.ring.profile import Modification
 
 REFERENCE_ANGLE_DEG = 20.0
@@ -52,12 +53,6 @@ RINGS: dict[Kind | None, type[CycloidRing] | type[InvoluteRing] | type[OtherRing
 
 OF_SUPPORTS = ("span_mm", "satellite_positions_mm")
 """Fields of ring pins that bend."""
-
-Change = Annotated[float, Field(ge=-0.5, le=0.5)]
-
-RingDeviation = Annotated[float, Field(ge=-0.2, le=0.2)]
-
-PerRingPin = Annotated[list[RingDeviation], Field(min_length=1, max_length=1000)]
 
 pin_circle_radius = partial(
     quantity,
@@ -165,19 +160,8 @@ def ring_of(own: dict[str, Any], made: type[Made]) -> Made:
     return made(**own)
 
 
-class RingPinDeviationsFields(RequestModel, group="deviations"):
+class RingPinDeviationsFields(SectionFields, of=Deviations, only=OF_RING_PINS, group="deviations"):
     """Deviations of ring pins from their nominal sizes."""
-
-    ring_pin_radial_mm: Maybe[PerRingPin] = quantity("Ring pins outward", "ρ", step=0.001)
-    """Radial deviation of each ring pin's centre, positive outward; the first pin faces the crank
-    at the crank angle 0."""
-    ring_pin_tangential_mm: Maybe[PerRingPin] = quantity(
-        "Ring pins along the circle", "τ", step=0.001
-    )
-    """Tangential deviation of each ring pin's centre, positive in the sense of the output's
-    rotation."""
-    ring_pin_radius_mm: Maybe[PerRingPin] = quantity("Ring pin radii", "Δr", step=0.001)
-    """Deviation of each ring pin's radius, positive for a larger pin."""
 
     @property
     def ring_lists(self) -> dict[str, list[float]]:

@@ -269,7 +269,8 @@ class RingMeshRequest(RequestModel, group="positions"):
     @property
     def support(self) -> SatelliteSupport:
         """Given shares of the torque."""
-        return self.satellite_coupling.section()
+        made: SatelliteSupport = self.satellite_coupling.section()
+        return made
 
     @cached_property
     def torque(self) -> float:

@@ -1,12 +1,10 @@
 """Satellites, ring and supports: fields of a request about their mesh."""
 
-from typing import ClassVar, Literal, Self
+from typing import Any, ClassVar, Literal, Self
 
 from pydantic import model_validator
 
 from app.calculations.design import (
-    PerSatellite,
-    PhasePerSatellite,
     SatelliteCouplingFields,
     input_speed,
 )
@@ -23,11 +21,12 @@ from app.calculations.ring import (
 )
 from app.model import Angle, Maybe, RequestModel, RingSize, Size, Whole, quantity
 from app.problems import invalid_input, wrong
-from app.rules import Forms, Kinds
+from app.rules import Forms
 from app.units import to_si
 from core.design.document import mechanism_of
 from core.design.sections import MechanismSection
 from core.errors import Notice
+from core.output.room import Deviations
 from core.ring.sharing import RingDeviations
 
 
@@ -132,19 +131,17 @@ class CycloidRingFields(RingPinsFields, group="gear"):
         return super().notices() + ((Notice("modification_unknown"),) if unknown else ())
 
 
-class RingDeviationsFields(RingPinDeviationsFields, group="deviations"):
+class RingDeviationsFields(
+    RingPinDeviationsFields,
+    of=Deviations,
+    only=("eccentricity", "crank_phase", "disc_phase"),
+    group="deviations",
+):
     """Deviations of a ring and its discs from their nominal sizes. Positive means outward, as the
     output turns, larger, ahead.
     """
 
-    eccentricity_mm: Maybe[PerSatellite] = quantity("Eccentricities", "Δe", step=0.001)
-    """Deviation of the eccentricity of each crank, positive for a larger one."""
-    crank_phase_deg: Maybe[PhasePerSatellite] = quantity("Crank phases", "Δα", step=0.001)
-    """Deviation of the angle of each crank, positive ahead."""
-    disc_phase_deg: Maybe[PhasePerSatellite] = quantity("Disc phases", "η", step=0.001)
-    """Deviation of the angle of each disc's holes relative to its teeth, positive ahead."""
-
-    def section(self) -> RingDeviations:
+    def section(self, around: Any = None) -> RingDeviations:
         """The deviations in SI units."""
         own = self.to_core()
         return RingDeviations(
@@ -168,8 +165,6 @@ class RingDeviationsFields(RingPinDeviationsFields, group="deviations"):
 
 class MeshCouplingFields(SatelliteCouplingFields, group="satellite_coupling"):
     """Sharing of the torque between the discs."""
-
-    KINDS: ClassVar[Kinds] = {"rigid": ((), ()), "shares": (("shares",), ())}
 
     kind: Literal["rigid", "shares"] = quantity("Coupling of the satellites", default="rigid")
     """Rigid: all satellites have one lag; shares: each satellite carries a given share."""

@@ -24,10 +24,11 @@ from core.arrays import FloatArray, Number, check_positive, larger, log
 from core.drive.engine import CONFORMAL, HERTZ, HERTZ_END, LINEAR, POWER
 from core.drive.model import Bending
 from core.errors import InvalidInput
-from core.fields import LARGEST, quantity, size
+from core.fields import LARGEST, optional_size, quantity, size
 from core.hertz import ElasticMaterial, effective_modulus
 from core.materials import SOFT
 from core.output.conformal_law import NO_CURVE, Curve, approach_over_load, conformal_curve, end
+from core.output.mechanism import MAX_SATELLITES
 from core.output.pin_beam import PinBeam, Support, check_apart
 from core.output.pin_section import PinSection, check_bore
 from core.output.tie_ring import RingJoint, TieRing
@@ -45,16 +46,20 @@ LOG_EXPONENT = 10 / 9
 class LinearLaw:
     """Linear law ``F = k*delta``."""
 
-    stiffness: float  # k of a pair, N/m, > 0
+    stiffness: float = size("Contact stiffness", "k", "N_per_mm", step=1000)
+    """Stiffness of a pair of pin and hole, for the linear law."""
 
 
 @dataclass(frozen=True, slots=True)
 class PowerLaw:
     """Power law ``F = F_ref*(delta/delta_ref)^n``."""
 
-    exponent: float  # n, from `MIN_EXPONENT` to `MAX_EXPONENT`
-    reference_force: float  # F_ref, N, > 0
-    reference_approach: float  # delta_ref, m, > 0
+    exponent: float = quantity("Exponent", "n", step=0.1, ge=MIN_EXPONENT, le=MAX_EXPONENT)
+    """Exponent n of the power law, force ∝ approachⁿ."""
+    reference_force: float = size("Reference force", "F_ref", "N", step=100)
+    """Force at which the approach of a pair is known, for the power law."""
+    reference_approach: float = size("Reference approach", "δ_ref", "mm", step=0.001)
+    """Approach of a pair under the reference force, for the power law."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,12 +69,17 @@ class PalmgrenLaw:
 
 @dataclass(frozen=True, slots=True)
 class HertzLaw:
-    """Hertz's law of line contact: ``delta = F*(A - B*ln F)``."""
+    """Hertz's law of line contact: ``delta = F*(A - B*ln F)``.
 
-    # Depth t below the hole's surface to which the hole's approach is counted, m; the nominal hole
-    # radius where not given. A plane contact has no scale of its own: the approach depends on the
-    # logarithm of this depth.
-    reference_depth: float | None = None
+    A plane contact has no scale of its own: the approach depends on the logarithm of the depth to
+    which it is counted.
+    """
+
+    reference_depth: float | None = optional_size(
+        "Reference depth", "t", "mm", step=1, advanced=True
+    )
+    """Depth to which the Hertz law counts the approach of the hole; the hole's radius if not
+    given."""
 
     def depth(self, hole_radius: float) -> float:
         """Reference depth in a hole of a nominal radius, m."""
@@ -84,6 +94,16 @@ class ConformalLaw:
 
 
 ContactLaw = LinearLaw | PowerLaw | PalmgrenLaw | HertzLaw | ConformalLaw
+
+LAWS: dict[str | None, type[ContactLaw]] = {
+    None: HertzLaw,
+    "hertz": HertzLaw,
+    "conformal": ConformalLaw,
+    "palmgren": PalmgrenLaw,
+    "linear": LinearLaw,
+    "power": PowerLaw,
+}
+"""Contact laws by their kind in the document."""
 
 
 def usual_law(*, pin: ElasticMaterial, hole: ElasticMaterial) -> ContactLaw:
@@ -538,7 +558,8 @@ class CrankSupport(SatelliteSupport):
 class ElasticMesh(SatelliteSupport):
     """Mesh of each satellite with the ring, which lets the disc turn under its torque."""
 
-    stiffness: float  # torque over rotation k_D of one disc, N*m/rad
+    stiffness: float = size("Stiffness of a mesh", "k_D", "Nm_per_arcmin", step=1)
+    """Torque of one satellite over the rotation that its mesh allows, for elastic coupling."""
 
     @property
     def gives(self) -> bool:
@@ -562,9 +583,18 @@ class ElasticMesh(SatelliteSupport):
 
 @dataclass(frozen=True, slots=True)
 class Shares(SatelliteSupport):
-    """Given shares of the torque, whatever the discs must turn for them."""
+    """Given shares of the torque, whatever the discs must turn for them; a sum other than 1 raises
+    `InvalidInput`.
+    """
 
-    shares: tuple[float, ...]  # w_j of each of the K satellites, > 0, of sum 1
+    shares: tuple[float, ...] = quantity(
+        "Shares of the torque", "w_j", ge=1e-6, le=1, lengths=((1, MAX_SATELLITES),)
+    )
+    """Share of the torque that each satellite carries; the shares add up to 1."""
+
+    def __post_init__(self) -> None:
+        if not abs(math.fsum(self.shares) - 1) <= SAME:
+            raise InvalidInput("shares", self.shares, "sum_not_one", sum=math.fsum(self.shares))
 
     @property
     def gives(self) -> bool:
@@ -582,14 +612,12 @@ class Shares(SatelliteSupport):
         return self.shares
 
     def check(self, satellites: int) -> None:
-        """Raise `InvalidInput` if shares are not one for each satellite or do not add up to 1."""
+        """Raise `InvalidInput` if shares are not one for each satellite, or not positive."""
         if len(self.shares) != satellites:
             counts = {"expected": satellites, "actual": len(self.shares)}
             raise InvalidInput("shares", self.shares, "different_length", **counts)
         for j, share in enumerate(self.shares):
             check_positive(**{f"shares[{j}]": share})
-        if not abs(math.fsum(self.shares) - 1) <= SAME:
-            raise InvalidInput("shares", self.shares, "sum_not_one", sum=math.fsum(self.shares))
 
 
 @dataclass(frozen=True, slots=True)
@@ -597,6 +625,15 @@ class RingInSeries(SatelliteSupport):
     """Discs that find their place between ring pins and output pins, as both meshes give. Within
     the output mechanism alone this support is rigid.
     """
+
+
+COUPLINGS: dict[str, type[SatelliteSupport]] = {
+    "rigid": SatelliteSupport,
+    "elastic": ElasticMesh,
+    "shares": Shares,
+    "ring": RingInSeries,
+}
+"""Sharing of the torque between the satellites, by its kind in the document."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,8 +18,9 @@ import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, IntArray, check_finite
 from core.errors import ImpossibleMechanism, InvalidInput
+from core.fields import quantity
 from core.numerics.extremes import zoom
-from core.output.mechanism import Mechanism
+from core.output.mechanism import MAX_SATELLITES, Mechanism
 from core.precision import AS_TYPED, ROUNDING
 
 Row = MutableSequence[float]
@@ -69,6 +70,16 @@ TINY = 1e-300
 """Divisor in the place of 0."""
 
 
+PER_PIN, PER_SATELLITE = (1, 1000), (1, MAX_SATELLITES)
+"""Least and largest number of values of lists that are stated one by one."""
+
+LENGTH = {"ge": -1e6, "le": 1e6}
+"""Limits of a deviation of the output mechanism, mm."""
+
+OF_RING_PINS = ("ring_pin_radial", "ring_pin_tangential", "ring_pin_radius")
+"""Deviations of the pins of a ring."""
+
+
 class Errors(NamedTuple, Generic[R]):
     """Deviations of one piece as rows of [N], [K*N] or [K]; of many pieces as tables."""
 
@@ -91,18 +102,89 @@ class Deviations:
     that of satellites.
     """
 
-    pin_radial: tuple[float, ...] = ()  # place of each pin, m, N values
-    pin_tangential: tuple[float, ...] = ()  # m, N
-    pin_radius: tuple[float, ...] = ()  # m, N
-    hole_radial: tuple[tuple[float, ...], ...] = ()  # place of each hole, m, K x N
-    hole_tangential: tuple[tuple[float, ...], ...] = ()  # m, K x N
-    hole_radius: tuple[tuple[float, ...], ...] = ()  # m, K x N
-    eccentricity: tuple[float, ...] = ()  # of each crank, m, K
-    crank_phase: tuple[float, ...] = ()  # angle of each crank, rad, K
-    disc_phase: tuple[float, ...] = ()  # of each disc's holes against its teeth, rad, K
-    ring_pin_radial: tuple[float, ...] = ()  # place of each pin of a ring, m, z_p values
-    ring_pin_tangential: tuple[float, ...] = ()  # m, z_p
-    ring_pin_radius: tuple[float, ...] = ()  # m, z_p
+    pin_radial: tuple[float, ...] = quantity(
+        "Pins outward", "ρ", "mm", default=(), step=0.001, lengths=(PER_PIN,), **LENGTH
+    )
+    """Radial deviation of each pin's centre, positive outward."""
+    pin_tangential: tuple[float, ...] = quantity(
+        "Pins along the circle", "τ", "mm", default=(), step=0.001, lengths=(PER_PIN,), **LENGTH
+    )
+    """Tangential deviation of each pin's centre, positive in the driving sense."""
+    pin_radius: tuple[float, ...] = quantity(
+        "Pin radii", "Δr", "mm", default=(), step=0.001, lengths=(PER_PIN,), **LENGTH
+    )
+    """Deviation of each pin's radius, positive for a larger pin."""
+    hole_radial: tuple[tuple[float, ...], ...] = quantity(
+        "Holes outward",
+        "ρ_j",
+        "mm",
+        default=(),
+        step=0.001,
+        lengths=(PER_SATELLITE, PER_PIN),
+        **LENGTH,
+    )
+    """Radial deviation of each hole's centre, positive outward, as one list per satellite."""
+    hole_tangential: tuple[tuple[float, ...], ...] = quantity(
+        "Holes along the circle",
+        "τ_j",
+        "mm",
+        default=(),
+        step=0.001,
+        lengths=(PER_SATELLITE, PER_PIN),
+        **LENGTH,
+    )
+    """Tangential deviation of each hole's centre, positive in the driving sense, as one list per
+    satellite."""
+    hole_radius: tuple[tuple[float, ...], ...] = quantity(
+        "Hole radii",
+        "Δr_j",
+        "mm",
+        default=(),
+        step=0.001,
+        lengths=(PER_SATELLITE, PER_PIN),
+        **LENGTH,
+    )
+    """Deviation of each hole's radius, positive for a larger hole, as one list per satellite."""
+    eccentricity: tuple[float, ...] = quantity(
+        "Eccentricities", "Δe", "mm", default=(), step=0.001, lengths=(PER_SATELLITE,), **LENGTH
+    )
+    """Deviation of the eccentricity of each crank, positive for a larger one."""
+    crank_phase: tuple[float, ...] = quantity(
+        "Crank phases",
+        "Δα",
+        "deg",
+        default=(),
+        step=0.001,
+        ge=-360,
+        le=360,
+        lengths=(PER_SATELLITE,),
+    )
+    """Deviation of the angle of each crank, positive ahead."""
+    disc_phase: tuple[float, ...] = quantity(
+        "Disc phases", "η", "deg", default=(), step=0.001, ge=-360, le=360, lengths=(PER_SATELLITE,)
+    )
+    """Deviation of the angle of each disc's holes relative to its teeth, positive ahead."""
+    ring_pin_radial: tuple[float, ...] = quantity(
+        "Ring pins outward", "ρ", "mm", default=(), step=0.001, ge=-0.2, le=0.2, lengths=(PER_PIN,)
+    )
+    """Radial deviation of each ring pin's centre, positive outward; the first pin faces the crank
+    at the crank angle 0."""
+    ring_pin_tangential: tuple[float, ...] = quantity(
+        "Ring pins along the circle",
+        "τ",
+        "mm",
+        default=(),
+        step=0.001,
+        ge=-0.2,
+        le=0.2,
+        lengths=(PER_PIN,),
+    )
+    """Tangential deviation of each ring pin's centre, positive in the sense of the output's
+    rotation."""
+    ring_pin_radius: tuple[float, ...] = quantity(
+        "Ring pin radii", "Δr", "mm", default=(), step=0.001, ge=-0.2, le=0.2, lengths=(PER_PIN,)
+    )
+    """Deviation of each ring pin's radius, positive for a larger pin."""
 
     @property
     def of_output(self) -> "Deviations":

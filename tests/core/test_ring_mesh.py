@@ -297,7 +297,6 @@ def test_the_reference_depth_is_the_pin_s_radius() -> None:
         ({"law": HertzLaw(0.011)}, "reference_depth", "less_than_equal"),
         ({"support": Shares((1.0,))}, "shares", "different_length"),
         ({"support": CrankSupport(1e8), "exact": False}, "support", "not_in_table"),
-        ({"support": Shares((0.6, 0.6))}, "shares", "sum_not_one"),
         ({"deviations": RingDeviations(pin_radial=(1e-6,))}, "pin_radial", "different_length"),
         ({"deviations": RingDeviations(crank_phase=(0.0,))}, "crank_phase", "different_length"),
     ],

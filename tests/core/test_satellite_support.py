@@ -288,7 +288,6 @@ def test_one_pin_and_two() -> None:
         ({"support": CrankSupport(1e8, math.inf)}, "radial_clearance", "greater_than_equal"),
         ({"support": ElasticMesh(math.nan)}, "stiffness", "greater_than"),
         ({"support": Shares((1.0,))}, "shares", "different_length"),
-        ({"support": Shares((0.5, 0.4))}, "shares", "sum_not_one"),
         ({"support": Shares((1.5, -0.5))}, "shares[1]", "greater_than"),
     ],
 )
@@ -296,3 +295,9 @@ def test_what_is_refused(changes: dict, parameter: str, code: str) -> None:
     with pytest.raises(InvalidInput) as refusal:
         replace(TWO, **changes)
     assert (refusal.value.parameter, refusal.value.code) == (parameter, code)
+
+
+def test_shares_add_up_to_the_whole() -> None:
+    with pytest.raises(InvalidInput) as refusal:
+        Shares((0.5, 0.4))
+    assert (refusal.value.parameter, refusal.value.code) == ("shares", "sum_not_one")
