@@ -6,8 +6,9 @@ conversion to SI units follow.
 import math
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import MISSING, Field, fields, is_dataclass
-from functools import cache
+from functools import cache, reduce
 from itertools import chain
+from operator import or_
 from types import NoneType, new_class
 from typing import (
     TYPE_CHECKING,
@@ -50,7 +51,7 @@ class SectionFields(PartFields):
 
     A subclass names its dataclass of core as `of`, or those of several kinds by kind. It has the
     fields of that but those in `without`, or of those alone in `only`, and adds what core does not
-    know.
+    know. Fields in `needs` have to be stated.
     """
 
     DOCUMENT: ClassVar[Any]
@@ -67,6 +68,7 @@ class SectionFields(PartFields):
         of: Any = None,
         without: Collection[str] = (),
         only: Collection[str] = (),
+        needs: Collection[str] = (),
         group: str | None = None,
         **config: Any,
     ) -> None:
@@ -78,7 +80,7 @@ class SectionFields(PartFields):
                 for each in reversed(_inputs(kind))
                 if each.name not in without and (not only or each.name in only)
             }
-            _say(cls, [*reversed(said.values())], group, several=isinstance(of, Mapping))
+            _say(cls, [*reversed(said.values())], group, needs, several=isinstance(of, Mapping))
             _rule(cls, kinds, {name: name_of(each) for name, (each, _) in said.items()})
             if isinstance(of, Mapping):
                 cls.KINDS = {name: _of_kind(kind) for name, kind in of.items()}
@@ -114,7 +116,14 @@ def _of_kind(kind: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
     )
 
 
-def _say(cls: Any, said: list[tuple[Field[Any], Any]], group: str | None, *, several: bool) -> None:
+def _say(
+    cls: Any,
+    said: list[tuple[Field[Any], Any]],
+    group: str | None,
+    needs: Collection[str],
+    *,
+    several: bool,
+) -> None:
     """Give a model the fields of dataclasses that it does not inherit; a field of one of several
     kinds is optional.
     """
@@ -127,7 +136,8 @@ def _say(cls: Any, said: list[tuple[Field[Any], Any]], group: str | None, *, sev
         if sent.convert is not None:
             converters[name] = sent.convert
         default = _default(each)
-        optional = default is None and (several or not needed(each))
+        stated = each.name in needs or (needed(each) and not several)
+        optional = default is None and not stated
         annotations[name] = OPTIONAL[sent.annotation] if optional else sent.annotation
         if name not in own:
             setattr(cls, name, _shown(each, default, optional, help_of(kind).get(each.name)))
@@ -203,7 +213,7 @@ def _shown(each: Field[Any], default: Any, optional: bool, text: str | None) -> 
 def _sent(hint: Any, said: Input, group: str | None, depth: int = 0) -> Sent:
     """Form in JSON of a type of core; lists within others are at a depth."""
     if NoneType in get_args(hint):
-        (hint,) = (each for each in get_args(hint) if each is not NoneType)
+        hint = reduce(or_, (each for each in get_args(hint) if each is not NoneType))
     if getattr(hint, "__origin__", None) is tuple:
         inner = _sent(get_args(hint)[0], said, group, depth + 1)
         least, most = said.lengths[depth]

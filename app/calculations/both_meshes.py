@@ -191,7 +191,7 @@ class RingInSeriesFields(RealDesignFields):
 
     @cached_property
     def _ring(self) -> CycloidMesh:
-        ring: CycloidRing = self.given["gear"].ring(CycloidRing)
+        ring: CycloidRing = self.given["gear"].section()
         return ring.cycloid_mesh(
             disc=ring.disc(
                 satellite_teeth=self.mechanism.given["satellite_teeth"],

@@ -3,7 +3,7 @@
 from typing import Any, Literal
 
 from app.calculations.hertz import material_of
-from app.document import SectionFields
+from app.document import SENT, SectionFields, Sent
 from app.model import Maybe, Size, quantity
 from core.output.elasticity import (
     LAWS,
@@ -60,3 +60,6 @@ class MeshLawFields(
     def section(self, around: Any = None) -> ContactLaw | None:
         """Law in SI units; None if no law is named."""
         return super().section() if self.given else None
+
+
+SENT[ContactLaw] = Sent(MeshLawFields)

@@ -16,6 +16,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
+from app.document import SENT, Sent
 from app.model import (
     UNION_TAGS,
     AccuracyOut,
@@ -203,6 +204,8 @@ Material = Annotated[
 
 
 UNION_TAGS.update(("by_name", "by_values"))
+
+SENT[ElasticMaterial] = Sent(Material, material_of)
 
 
 contact_length = partial(

@@ -4,20 +4,18 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
-from app.calculations.hertz import Material, contact_length
+from app.calculations.hertz import Material
 from app.calculations.involute_teeth import (
     RING_MATERIAL,
     InvoluteGeometryOut,
     InvoluteStressesOut,
-    InvoluteTeethFields,
     RootStressOut,
-    ring_shift,
-    satellite_shift,
 )
 from app.calculations.ring_mesh_answer import RingEfficiencyOut, SharedPairsOut
 from app.calculations.ring_mesh_figure import DrawnPath
 from app.calculations.solved import Solved
-from app.model import Maybe, Size, Values, quantity
+from app.document import SectionFields
+from app.model import Maybe, Values, quantity
 from app.rules import Forms
 from core.design.ring import InvoluteRing
 from core.errors import Notice, NotKnown
@@ -33,7 +31,13 @@ LEAST_DRAWN = 0.02
 circle."""
 
 
-class InvoluteRingFields(InvoluteTeethFields, group="gear"):
+class InvoluteRingFields(
+    SectionFields,
+    of=InvoluteRing,
+    without=("teeth_difference", "root_strength"),
+    needs=("satellite_profile_shift", "ring_profile_shift", "contact_length"),
+    group="gear",
+):
     """Involute teeth of satellite and ring, and inputs of their stresses."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
@@ -45,15 +49,10 @@ class InvoluteRingFields(InvoluteTeethFields, group="gear"):
 
     kind: Literal["involute"] = quantity("Ring")
     """Ring with involute teeth."""
-    module_mm: Size = quantity("Module", "m", step=0.5)
-    """Module of the teeth."""
     reference_pressure_angle_deg: float = quantity(
         "Reference pressure angle", "α", default=20.0, step=0.5, ge=14.5, le=30
     )
     """Pressure angle of the teeth at the reference circle."""
-    satellite_profile_shift: float = satellite_shift()
-    ring_profile_shift: float = ring_shift()
-    contact_length_mm: Size = contact_length()
     satellite_material: Material = quantity("Satellite material", default=RING_MATERIAL)
     """Name in the table of materials, or values."""
     ring_material: Material = quantity("Ring material", default=RING_MATERIAL)

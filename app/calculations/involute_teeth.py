@@ -1,104 +1,19 @@
 """Involute teeth of satellite and ring: tooth data of a request, sizes and stresses answered."""
 
-from functools import partial
 from typing import Any
 
-from app.calculations.hertz import Material
 from app.model import (
     Maybe,
-    RequestModel,
     ResponseModel,
-    Size,
     Values,
-    Whole,
-    quantity,
     result,
 )
 from app.units import from_si
-from core.ring.involute import HEIGHTS, InvolutePair
+from core.ring.involute import InvolutePair
 from core.ring.involute_load import InvoluteLoad, RootStress
 
 RING_MATERIAL = "steel_structural"
 """Material of the ring if it is not given."""
-
-
-satellite_shift = partial(
-    quantity,
-    "Profile shift of the satellite",
-    "x_s",
-    step=0.05,
-    ge=-2,
-    le=3,
-    help="Profile shift of the satellite, in modules, positive outwards.",
-)
-ring_shift = partial(
-    quantity,
-    "Profile shift of the ring",
-    "x_r",
-    step=0.05,
-    ge=-2,
-    le=3,
-    help="Profile shift of the ring, in modules, positive outwards: a positive shift makes the "
-    "ring's spaces wider and its tip and root circles larger. Conventions with negative numbers of "
-    "ring teeth use the opposite sign.",
-)
-"""Fields that are optional in some requests."""
-
-
-class InvoluteTeethFields(RequestModel, group="gear"):
-    """Involute teeth as they are made, the satellite by a hob, the ring by a shaper cutter, and
-    inputs of their stresses, as far as they are given.
-    """
-
-    satellite_profile_shift: Maybe[float] = satellite_shift()
-    ring_profile_shift: Maybe[float] = ring_shift()
-    satellite_addendum: Maybe[float] = quantity(
-        "Addendum of the satellite", "h_as", step=0.05, ge=HEIGHTS[0], le=HEIGHTS[1]
-    )
-    """Addendum of the satellite above its shifted reference circle, in modules."""
-    ring_addendum: Maybe[float] = quantity(
-        "Addendum of the ring", "h_ar", step=0.05, ge=HEIGHTS[0], le=HEIGHTS[1]
-    )
-    """Addendum of the ring inside its shifted reference circle, in modules."""
-    satellite_tip_radius_mm: Maybe[Size] = quantity(
-        "Tip radius of the satellite", "r_as", step=0.5, advanced=True
-    )
-    """Tip radius of the satellite, given instead of its addendum."""
-    ring_tip_radius_mm: Maybe[Size] = quantity(
-        "Tip radius of the ring", "r_ar", step=0.5, advanced=True
-    )
-    """Tip radius of the ring, given instead of its addendum."""
-    dedendum: Maybe[float] = quantity("Dedendum", "h_f", step=0.05, ge=0.8, le=1.6, advanced=True)
-    """Dedendum that the hob cuts on the satellite, in modules; 1.25 if not given."""
-    rack_tip_radius: Maybe[float] = quantity(
-        "Tip radius of the hob", "ρ_f", step=0.02, ge=0, le=0.6, advanced=True
-    )
-    """Radius at the tip of the hob, in modules; 0.38, or the largest that there is room for, if not
-    given."""
-    cutter_teeth: Maybe[Whole] = quantity("Teeth of the cutter", "z₀", ge=6, le=1000)
-    """Number of teeth of the shaper cutter that makes the ring; without it the ring's root is
-    assumed, and its flanks are not checked."""
-    cutter_profile_shift: Maybe[float] = quantity(
-        "Profile shift of the cutter", "x₀", step=0.05, ge=-1, le=1, advanced=True
-    )
-    """Profile shift of the shaper cutter, in modules; 0 if not given."""
-    cutter_addendum: Maybe[float] = quantity(
-        "Addendum of the cutter", "h_a0", step=0.05, ge=0.8, le=1.6, advanced=True
-    )
-    """Addendum of the shaper cutter, in modules; 1.25 if not given."""
-    satellite_material: Maybe[Material] = quantity("Satellite material")
-    """Name in the table of materials, or values; the material of the holes if not given."""
-    ring_material: Maybe[Material] = quantity("Ring material")
-    """Name in the table of materials, or values; structural steel if not given."""
-    face_load_factor: Maybe[float] = quantity(
-        "Face load factor", "K_Hβ", step=0.05, advanced=True, ge=1, le=10
-    )
-    """Factor on the force for stresses, as the load is uneven along the width; 1 if not given."""
-    pair_stiffness_N_per_mm: Maybe[Size] = quantity(
-        "Stiffness of a pair", "k", step=10_000, advanced=True
-    )
-    """Stiffness of a pair of teeth along the line of action, from which the number of carrying
-    pairs follows; 14 N/(mm·µm) times the width if not given."""
 
 
 class InvoluteGeometryOut(ResponseModel):

@@ -12,7 +12,6 @@ from app.calculations.involute_mesh import (
     solved_pair,
 )
 from app.calculations.load_sharing_answer import StiffnessCurveOut
-from app.calculations.ring import ring_of
 from app.calculations.ring_mesh_answer import (
     MeshPositionOut,
     MeshTurnOut,
@@ -252,7 +251,7 @@ class RingMeshRequest(RequestModel, group="positions"):
         """The ring of involute teeth, in SI units."""
         assert isinstance(self.gear, InvoluteRingFields)
         difference = self.mechanism.ring_teeth - self.mechanism.satellite_teeth
-        return ring_of(self.gear.to_core() | {"teeth_difference": difference}, InvoluteRing)
+        return InvoluteRing(**self.gear.to_core() | {"teeth_difference": difference})
 
     @property
     def loaded_teeth(self) -> dict[str, Any]:
@@ -282,7 +281,8 @@ class RingMeshRequest(RequestModel, group="positions"):
     def disc(self) -> CycloidDisc:
         """The discs, in SI units."""
         eccentricity = self.given["contact"].eccentricity_mm  # cycloids need it
-        return self.cycloid.ring(CycloidRing).disc(
+        ring: CycloidRing = self.cycloid.section()
+        return ring.disc(
             satellite_teeth=self.mechanism.satellite_teeth,
             eccentricity=to_si("eccentricity_mm", eccentricity),
         )
@@ -290,7 +290,7 @@ class RingMeshRequest(RequestModel, group="positions"):
     @cached_property
     def mesh(self) -> CycloidMesh:
         """The mesh as it is made, in SI units."""
-        ring = self.cycloid.ring(CycloidRing)
+        ring: CycloidRing = self.cycloid.section()
         return ring.cycloid_mesh(
             disc=self.disc,
             contact_length=ring.contact_length,
@@ -304,7 +304,7 @@ class RingMeshRequest(RequestModel, group="positions"):
     @property
     def friction(self) -> RingFriction:
         """Sliding contact of the ring; without a coefficient it is taken as 0."""
-        ring = self.cycloid.ring(CycloidRing)
+        ring: CycloidRing = self.cycloid.section()
         coefficient = ring.friction_coefficient or 0.0
         return RingFriction(coefficient, ring.sleeve_bore_radius, ring.rolling)
 

@@ -8,7 +8,7 @@ from app.calculations.design import (
     SatelliteCouplingFields,
     input_speed,
 )
-from app.calculations.hertz import Material, contact_length, eccentricity, of_load_factor
+from app.calculations.hertz import Material, eccentricity, of_load_factor
 from app.calculations.ideal_forces import application_factor
 from app.calculations.mechanism import MAX_SATELLITES, count_satellites
 from app.calculations.ring import (
@@ -16,14 +16,13 @@ from app.calculations.ring import (
     PIN_MATERIAL,
     RingPinDeviationsFields,
     RingPinsFields,
-    pin_circle_radius,
-    ring_pin_radius,
 )
-from app.model import Angle, Maybe, RequestModel, RingSize, Size, Whole, quantity
+from app.model import Angle, Maybe, RequestModel, Size, Whole, quantity
 from app.problems import invalid_input, wrong
 from app.rules import Forms
 from app.units import to_si
 from core.design.document import mechanism_of
+from core.design.ring import CycloidRing
 from core.design.sections import MechanismSection
 from core.errors import Notice
 from core.output.room import Deviations
@@ -105,16 +104,19 @@ class RingCrankFields(RequestModel, group="contact"):
     eccentricity_mm: Size = eccentricity()
 
 
-class CycloidRingFields(RingPinsFields, group="gear"):
+class CycloidRingFields(
+    RingPinsFields,
+    of=CycloidRing,
+    without=("rotates", "tool_radius", "every_second_pin", "ring_class"),
+    needs=("ring_pin_radius", "contact_length"),
+    group="gear",
+):
     """Cycloid discs and their ring pins."""
 
     ASSUMED: ClassVar[tuple[str, ...]] = ("pin_material", "disc_material")
 
     kind: Literal["cycloid"] = quantity("Ring")
     """Ring of pins on which a cycloid disc rolls."""
-    ring_pin_circle_radius_mm: RingSize = pin_circle_radius()
-    ring_pin_radius_mm: RingSize = ring_pin_radius()
-    contact_length_mm: Size = contact_length()
     pin_material: Material = quantity("Material of the ring's pins", default=PIN_MATERIAL)
     """Name in the table of materials, or values; bearing steel if not given."""
     disc_material: Material = quantity("Disc material", default=DISC_MATERIAL)

@@ -2,13 +2,16 @@
 
 import math
 from dataclasses import dataclass
-from typing import Any, Literal
+from functools import partial
+from typing import Any, ClassVar, Literal
 
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, Notice, NotKnown, required
+from core.fields import SMALLEST, Forms, optional_size, quantity, size
 from core.hertz import ElasticMaterial
 from core.output.elasticity import RIGID_PINS, ContactLaw, HertzLaw
+from core.output.mechanism import MAX_SATELLITES
 from core.ring.involute import HEIGHTS, Cutter, InvoluteTeeth, Rack, addendum_of, rack_of
 from core.ring.loss import RingFriction
 from core.ring.profile import CycloidDisc, Modification
@@ -26,6 +29,13 @@ DEDENDUM = 1.25
 """Dedendum of involute teeth over the module, without profile shift: basic rack of ISO 53, types A
 and B."""
 
+LARGEST_RING = 1e5
+"""Largest size of a ring, mm, a hundred metres, as the turn of a larger one takes long."""
+
+addendum = partial(quantity, default=None, step=0.05, ge=HEIGHTS[0], le=HEIGHTS[1])
+tool_height = partial(quantity, silent=True, step=0.05, advanced=True)
+"""Heights of teeth, and of the tools that cut them, in modules."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AnyRing:
@@ -33,8 +43,8 @@ class AnyRing:
 
     # Teeth or pins of the ring less teeth of a satellite; None for pins if not given.
     teeth_difference: int | None = None
-    contact_length: float | None = None  # width of a satellite in the ring, m
-    friction_coefficient: float | None = None  # on ring pins or flanks
+    contact_length: float | None = None  # m; none without pins or teeth
+    friction_coefficient: float | None = None  # none without pins or teeth
 
     @property
     def of_ring(self) -> ElasticMaterial | None:
@@ -68,11 +78,30 @@ class AnyRing:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class ToothedRing(AnyRing):
+    """Fields of rings with pins or teeth."""
+
+    contact_length: float | None = optional_size("Contact length", "b", "mm", step=1)
+    """Length of the contact along the pin, which is the width of the satellite."""
+    friction_coefficient: float | None = quantity(
+        "Friction coefficient", "μ", default=None, step=0.01, ge=0, le=1
+    )
+    """Friction coefficient of sliding on the ring pins, or of the flanks of teeth; without it the
+    loss is not calculated."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class OtherRing(AnyRing):
     """Ring known by the ratio of its forces alone; kind "none" has no force along the crank."""
 
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("kind",), ("radial_force_ratio",)),)
+
     kind: Literal["none"] | None = None  # "none" leaves out the force along the crank
-    radial_force_ratio: float | None = None  # force along the crank over force across it
+    radial_force_ratio: float | None = quantity(
+        "Ratio of the ring's forces", "ρ", default=None, step=0.05, ge=-100, le=100
+    )
+    """Force of the ring along the crank over its force across the crank: positive towards the
+    reducer's axis, as with involute teeth, negative outwards, as with ring pins."""
 
     def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
         """Force of the ring on a satellite."""
@@ -82,30 +111,76 @@ class OtherRing(AnyRing):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CycloidRing(AnyRing):
+class CycloidRing(ToothedRing):
     """Ring pins on which cycloid discs roll, as far as they are given."""
 
     kind: Literal["cycloid"] = "cycloid"  # kind of teeth
-    ring_pin_circle_radius: float  # R_p of the circle of the pins, m
-    ring_pin_radius: float | None = None  # r_p of the pins, m
-    modification: Modification | None = None  # None: not known
-    contact_law: ContactLaw | None = None  # elastic law of pin and disc; None: by Hertz
-    pin_material: ElasticMaterial | None = None  # material of the pins
-    disc_material: ElasticMaterial | None = None  # None: material of the holes
-    # "seat": in half a bore; "supported": both ends held, free to tilt; "fixed": both ends clamped.
-    pin_support: RingPinSupport = "seat"
-    span: float | None = None  # distance of the two supports, m
-    satellite_positions: tuple[float, ...] = ()  # middle of each satellite from one support, m
-    rotates: bool = False  # True if the pins turn in their supports
+    ring_pin_circle_radius: float = quantity(
+        "Circle of the ring's pins", "R_p", "mm", step=1, ge=SMALLEST, le=LARGEST_RING
+    )
+    """Radius of the circle of the ring pins, on which a cycloid disc rolls."""
+    ring_pin_radius: float | None = quantity(
+        "Radius of the ring's pins",
+        "r_p",
+        "mm",
+        default=None,
+        step=0.5,
+        ge=SMALLEST,
+        le=LARGEST_RING,
+    )
+    """Radius of the ring pins, or of their sleeves; the roots of a cycloid disc follow from it."""
+    modification: Modification | None = quantity(default=None)
+    contact_law: ContactLaw | None = quantity(default=None)
+    pin_material: ElasticMaterial | None = quantity("Material of the ring's pins", default=None)
+    """Name in the table of materials, or values; bearing steel if not given."""
+    disc_material: ElasticMaterial | None = quantity("Disc material", default=None)
+    """Name in the table of materials, or values; the material of the holes if not given."""
+    pin_support: RingPinSupport = quantity(
+        "Support of the ring's pins", default="seat", silent=True, advanced=True
+    )
+    """Support of the ring pins: in half a bore (seat), which is the default, held at both ends free
+    to tilt (supported), or built in (fixed)."""
+    span: float | None = optional_size("Span of the ring's pins", "L", "mm", step=1, advanced=True)
+    """Distance between the two supports of the ring pins; not for seats."""
+    satellite_positions: tuple[float, ...] = size(
+        "Places of the satellites",
+        "z₁ … z_K",
+        "mm",
+        default=(),
+        lengths=((1, MAX_SATELLITES),),
+        advanced=True,
+    )
+    """Middle plane of each satellite, from one support of the ring pins; not for seats."""
+    seat_stiffness: float = size(
+        "Stiffness of a seat", "k_s", "N_per_mm", default=math.inf, step=10_000, advanced=True
+    )
+    """Stiffness of a ring pin in its bore and of the part that holds the bore; rigid if not
+    given."""
+    sleeve_bore_radius: float = size(
+        "Bore of the sleeves", "r_i", "mm", default=0.0, silent=True, step=0.5
+    )
+    """Radius of the bore of sleeves, which slide on the ring pins."""
+    rolling: bool = quantity("Rolling elements", default=False, silent=True, advanced=True)
+    """True if rolling elements carry the sleeves. The friction coefficient is then that of the
+    rolling elements at the bore of the sleeves, or at their outer radius if no bore is given, which
+    gives a larger loss."""
+    rotates: bool = quantity("Ring pins rotate", default=False, silent=True, advanced=True)
+    """True if the ring pins turn in their supports, so that their bending is fully reversed."""
+    tool_radius: float | None = optional_size(
+        "Radius of the tool", "r_t", "mm", step=1, advanced=True
+    )
+    """Radius of the wheel or cutter that makes the flanks of the discs; it has to reach into their
+    valleys."""
+    every_second_pin: bool = quantity("Every second pin", default=False, silent=True, advanced=True)
+    """True if every second pin of an even number of ring pins is left out; the forces of such a
+    ring are not calculated."""
+    ring_class: RingClass | None = quantity("How the ring is made", default=None, advanced=True)
+    """Manufacture of discs and ring: ground, machined or printed. It states the usual modification
+    of the discs and the usual places of the ring pins, if these are not known. The default is
+    printed if discs are softer than 20 GPa, else ground."""
     pin_tensile_strength: float | None = None  # Pa
     pin_steel: bool = False  # True if the pin material is steel
     pin_valid_diameter: float | None = None  # largest diameter the strengths hold for, m
-    seat_stiffness: float = math.inf  # stiffness of a pin's bore with the housing, N/m
-    sleeve_bore_radius: float = 0.0  # sleeves on the pins, m; 0 without sleeves
-    rolling: bool = False  # True if rolling elements carry the sleeves
-    tool_radius: float | None = None  # tool that grinds or cuts the flanks, m
-    every_second_pin: bool = False  # True if every second pin is left out
-    ring_class: RingClass | None = None  # manufacturing class, for usual values
 
     @property
     def of_ring(self) -> ElasticMaterial | None:
@@ -210,29 +285,89 @@ class CycloidRing(AnyRing):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class InvoluteRing(AnyRing):
+class InvoluteRing(ToothedRing):
     """Involute teeth of ring and satellites, as far as given; profile shifts point outwards."""
 
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("satellite_addendum",), ("satellite_tip_radius",), ()),
+        (("ring_addendum",), ("ring_tip_radius",), ()),
+    )
+
     kind: Literal["involute"] = "involute"  # kind of teeth
-    module: float  # m, m
-    teeth_difference: int  # z_d
-    reference_pressure_angle: float  # alpha, rad
-    satellite_profile_shift: float | None = None  # in modules
-    ring_profile_shift: float | None = None  # in modules
-    satellite_addendum: float | None = None  # in modules
-    ring_addendum: float | None = None  # in modules
-    satellite_tip_radius: float | None = None  # replaces the addendum, m
-    ring_tip_radius: float | None = None  # replaces the addendum, m
-    dedendum: float = DEDENDUM  # hob that cuts the satellite, in modules
-    rack_tip_radius: float | None = None  # tip radius of the hob, in modules
-    cutter_teeth: int | None = None  # teeth of the ring's shaper cutter; None: not known
-    cutter_profile_shift: float = 0.0  # in modules
-    cutter_addendum: float = DEDENDUM  # in modules
-    satellite_material: ElasticMaterial | None = None  # None: material of the holes
-    ring_material: ElasticMaterial | None = None  # material of the ring's teeth
-    face_load_factor: float = 1.0  # on the force for stresses along the width
-    pair_stiffness: float | None = None  # stiffness of a tooth pair along the line of action, N/m
-    root_strength: float | None = None  # allowable root stress of a satellite over the life, Pa
+    module: float = size("Module", "m", "mm", step=0.5)
+    """Module of the teeth."""
+    teeth_difference: int = quantity("Difference of teeth", "z₃ − z₂", filled=True, ge=1, le=1000)
+    """Number of teeth of the ring less that of a satellite; the difference of the mechanism's teeth
+    if these are given."""
+    reference_pressure_angle: float = quantity(
+        "Reference pressure angle",
+        "α",
+        "deg",
+        default=math.radians(20),
+        silent=True,
+        step=0.5,
+        ge=1,
+        le=60,
+    )
+    """Pressure angle of the teeth at the reference circle; 20° if not given."""
+    satellite_profile_shift: float | None = quantity(
+        "Profile shift of the satellite", "x_s", default=None, step=0.05, ge=-2, le=3
+    )
+    """Profile shift of the satellite, in modules, positive outwards."""
+    ring_profile_shift: float | None = quantity(
+        "Profile shift of the ring", "x_r", default=None, step=0.05, ge=-2, le=3
+    )
+    """Profile shift of the ring, in modules, positive outwards: a positive shift makes the ring's
+    spaces wider and its tip and root circles larger. Conventions with negative numbers of ring
+    teeth use the opposite sign."""
+    satellite_addendum: float | None = addendum("Addendum of the satellite", "h_as")
+    """Addendum of the satellite above its shifted reference circle, in modules."""
+    ring_addendum: float | None = addendum("Addendum of the ring", "h_ar")
+    """Addendum of the ring inside its shifted reference circle, in modules."""
+    satellite_tip_radius: float | None = optional_size(
+        "Tip radius of the satellite", "r_as", "mm", step=0.5, advanced=True
+    )
+    """Tip radius of the satellite, given instead of its addendum."""
+    ring_tip_radius: float | None = optional_size(
+        "Tip radius of the ring", "r_ar", "mm", step=0.5, advanced=True
+    )
+    """Tip radius of the ring, given instead of its addendum."""
+    dedendum: float = tool_height("Dedendum", "h_f", default=DEDENDUM, ge=0.8, le=1.6)
+    """Dedendum that the hob cuts on the satellite, in modules; 1.25 if not given."""
+    rack_tip_radius: float | None = quantity(
+        "Tip radius of the hob", "ρ_f", default=None, step=0.02, ge=0, le=0.6, advanced=True
+    )
+    """Radius at the tip of the hob, in modules; 0.38, or the largest that there is room for, if not
+    given."""
+    cutter_teeth: int | None = quantity("Teeth of the cutter", "z₀", default=None, ge=6, le=1000)
+    """Number of teeth of the shaper cutter that makes the ring; without it the ring's root is
+    assumed, and its flanks are not checked."""
+    cutter_profile_shift: float = tool_height(
+        "Profile shift of the cutter", "x₀", default=0.0, ge=-1, le=1
+    )
+    """Profile shift of the shaper cutter, in modules; 0 if not given."""
+    cutter_addendum: float = tool_height(
+        "Addendum of the cutter", "h_a0", default=DEDENDUM, ge=0.8, le=1.6
+    )
+    """Addendum of the shaper cutter, in modules; 1.25 if not given."""
+    satellite_material: ElasticMaterial | None = quantity("Satellite material", default=None)
+    """Name in the table of materials, or values; the material of the holes if not given."""
+    ring_material: ElasticMaterial | None = quantity("Ring material", default=None)
+    """Name in the table of materials, or values; structural steel if not given."""
+    face_load_factor: float = quantity(
+        "Face load factor", "K_Hβ", default=1.0, silent=True, step=0.05, advanced=True, ge=1, le=10
+    )
+    """Factor on the force for stresses, as the load is uneven along the width; 1 if not given."""
+    pair_stiffness: float | None = optional_size(
+        "Stiffness of a pair", "k", "N_per_mm", step=10_000, advanced=True
+    )
+    """Stiffness of a pair of teeth along the line of action, from which the number of carrying
+    pairs follows; 14 N/(mm·µm) times the width if not given."""
+    root_strength: float | None = optional_size(
+        "Strength of the tooth root", "σ_FG", "MPa", step=10
+    )
+    """Stress that the tooth root of a satellite endures over the life, for the torque in one
+    direction or in both, as it acts; the safety factor in fatigue refers to it."""
 
     @property
     def of_ring(self) -> ElasticMaterial | None:
@@ -336,3 +471,11 @@ class InvoluteRing(AnyRing):
 
 Ring = InvoluteRing | CycloidRing | OtherRing
 """Ring with involute teeth, with pins, or described by the ratio of its forces alone."""
+
+RINGS: dict[RingKind | None, type[Ring]] = {
+    "cycloid": CycloidRing,
+    "involute": InvoluteRing,
+    "none": OtherRing,
+    None: OtherRing,
+}
+"""Rings by their kind in the document; None for a ring given by the ratio of its forces."""

@@ -38,7 +38,7 @@ ALONG = 4
 
 @dataclass(frozen=True, slots=True)
 class Modification:
-    """Offsets of the tool from the ring pins, which give the mesh its backlash."""
+    """Offsets of the tool that cuts the discs from the ring pins."""
 
     equidistant: float = quantity(
         "Equidistant modification",

@@ -9,7 +9,6 @@ from app.calculations.involute_teeth import (
     InvoluteStressesOut,
     RootStressOut,
 )
-from app.calculations.ring import ring_of
 from core.design.ring import InvoluteRing
 from core.hertz import ElasticMaterial
 from core.precision import CONVERGED
@@ -30,7 +29,7 @@ def teeth_of(gear, case):
     numbers = {name: mechanism[name] for name in ("satellite_teeth", "ring_teeth")}
     difference = {"teeth_difference": numbers["ring_teeth"] - numbers["satellite_teeth"]}
     given = InvoluteRingFields.model_validate(gear).to_core()
-    ring = ring_of(given | difference, InvoluteRing)
+    ring = InvoluteRing(**given | difference)
     return ring.involute_teeth(**numbers)
 
 
