@@ -5,7 +5,7 @@ conversion to SI units follow.
 
 import math
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import MISSING, Field, fields, is_dataclass
+from dataclasses import MISSING, fields, is_dataclass
 from functools import cache, reduce
 from itertools import chain
 from operator import or_
@@ -73,17 +73,18 @@ class SectionFields(PartFields):
         **config: Any,
     ) -> None:
         if of is not None:
-            kinds = _kinds(of)
-            said = {
-                each.name: (each, kind)
-                for kind in reversed(kinds)
-                for each in reversed(_inputs(kind))
-                if each.name not in without and (not only or each.name in only)
-            }
-            _say(cls, [*reversed(said.values())], group, needs, several=isinstance(of, Mapping))
-            _rule(cls, kinds, {name: name_of(each) for name, (each, _) in said.items()})
+            kinds = [*of.values()] if isinstance(of, Mapping) else [of]
+            said: dict[str, Said] = {}
+            for each in chain.from_iterable(map(_said, kinds)):
+                if each.core not in without and (not only or each.core in only):
+                    said.setdefault(each.core, each)
+            stated = {*needs}
             if isinstance(of, Mapping):
                 cls.KINDS = {name: _of_kind(kind) for name, kind in of.items()}
+            else:
+                stated |= {name for name, each in said.items() if each.needed}
+            _give_fields(cls, said, stated, group)
+            _give_rules(cls, kinds, {"kind": "kind"} | {name: said[name].name for name in said})
             cls.DOCUMENT = of
         super().__init_subclass__(group=group, **config)
 
@@ -97,117 +98,92 @@ class SectionFields(PartFields):
         return made(**own)
 
 
-def _kinds(of: Any) -> list[Any]:
-    """Dataclasses that a section is made of."""
-    return [*dict.fromkeys(of.values())] if isinstance(of, Mapping) else [of]
+class Said(NamedTuple):
+    """Field of a dataclass, as requests have it."""
+
+    core: str
+    name: str
+    """Name in JSON: that in core with its unit."""
+    input: Input
+    hint: Any
+    default: Any
+    """Default in the unit of JSON; None for none."""
+    needed: bool
+    help: str | None
 
 
-def _inputs(kind: Any) -> list[Field[Any]]:
-    """Fields of a dataclass that the document has."""
-    return [each for each in fields(kind) if "input" in each.metadata]
+@cache
+def _said(kind: Any) -> tuple[Said, ...]:
+    """Fields of a dataclass that requests have."""
+    hints, helps, found = get_type_hints(kind), help_of(kind), []
+    for each in fields(kind):
+        if own := each.metadata.get("input"):
+            name = f"{each.name}_{own.unit}".removesuffix("_")
+            absent = own.silent or each.default in (MISSING, None, (), math.inf)
+            default = None if absent else from_si(name, each.default)
+            needed = each.default is MISSING and not own.filled
+            hint, text = hints[each.name], helps.get(each.name)
+            found.append(Said(each.name, name, own, hint, default, needed, text))
+    return tuple(found)
 
 
 def _of_kind(kind: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Needed and optional fields of a dataclass, in names of JSON."""
-    own = _inputs(kind)
-    return (
-        tuple(name_of(each) for each in own if needed(each)),
-        tuple(name_of(each) for each in own if not needed(each)),
-    )
+    needed = tuple(each.name for each in _said(kind) if each.needed)
+    return needed, tuple(each.name for each in _said(kind) if not each.needed)
 
 
-def _say(
-    cls: Any,
-    said: list[tuple[Field[Any], Any]],
-    group: str | None,
-    needs: Collection[str],
-    *,
-    several: bool,
+def _give_fields(
+    cls: Any, said: Mapping[str, Said], stated: Collection[str], group: str | None
 ) -> None:
-    """Give a model the fields of dataclasses that it does not inherit; a field of one of several
-    kinds is optional.
+    """Give a model the fields of dataclasses that it does not inherit; those that have no default
+    and need not be stated are optional.
     """
     own, annotations, converters = cls.__annotations__, {}, {**cls.CONVERTERS}
-    for each, kind in said:
-        name = name_of(each)
-        if name in cls.model_fields:
+    for core, each in said.items():
+        if each.name in cls.model_fields:
             continue
-        sent = _sent(_hints(kind)[each.name], each.metadata["input"], group)
+        sent = _sent(each.hint, each.input, group)
         if sent.convert is not None:
-            converters[name] = sent.convert
-        default = _default(each)
-        stated = each.name in needs or (needed(each) and not several)
-        optional = default is None and not stated
-        annotations[name] = OPTIONAL[sent.annotation] if optional else sent.annotation
-        if name not in own:
-            setattr(cls, name, _shown(each, default, optional, help_of(kind).get(each.name)))
+            converters[each.name] = sent.convert
+        needed = each.default is None and core in stated
+        known = needed or each.default is not None
+        annotations[each.name] = sent.annotation if known else OPTIONAL[sent.annotation]
+        if each.name not in own:
+            setattr(cls, each.name, _field(each, {} if needed else {"default": each.default}))
     written = {name: each for name, each in own.items() if name not in annotations}
     cls.__annotations__ = written | annotations | own
     cls.CONVERTERS = converters
 
 
-def _rule(cls: Any, kinds: list[Any], names: dict[str, str]) -> None:
+def _give_rules(cls: Any, kinds: Collection[Any], names: Mapping[str, str]) -> None:
     """Give a model the rules of dataclasses between fields that it has."""
-    names |= {"kind": "kind"}
-    forms = [each for kind in kinds for each in getattr(kind, "ALTERNATIVES", ())]
-    rules = [each for kind in kinds for each in getattr(kind, "BETWEEN", ())]
+    forms = chain.from_iterable(getattr(kind, "ALTERNATIVES", ()) for kind in kinds)
+    rules = chain.from_iterable(getattr(kind, "BETWEEN", ()) for kind in kinds)
     if "ALTERNATIVES" not in vars(cls):
         cls.ALTERNATIVES = tuple(
             tuple(tuple(names[name] for name in form) for form in each)
             for each in dict.fromkeys(forms)
             if names.keys() >= {*chain(*each)}
         )
-    if "BETWEEN" not in vars(cls):
-        cls.BETWEEN = tuple(
-            Rule(names[field], rule, names[other])
-            for field, rule, other in dict.fromkeys(rules)
-            if names.keys() >= {field, other}
-        )
+    cls.BETWEEN = tuple(
+        Rule(names[field], rule, names[other])
+        for field, rule, other in dict.fromkeys(rules)
+        if names.keys() >= {field, other}
+    )
 
 
-def name_of(each: Field[Any]) -> str:
-    """Name of a field in a request: the name in core with its unit."""
-    return f"{each.name}_{each.metadata['input'].unit}".removesuffix("_")
-
-
-_hints = cache(get_type_hints)
-
-
-def needed(each: Field[Any]) -> bool:
-    """True if a request has to state a field."""
-    return each.default is MISSING and not each.metadata["input"].filled
-
-
-def _default(each: Field[Any]) -> Any:
-    """Default of a field in the unit of the document; None if the document has none."""
-    said: Input = each.metadata["input"]
-    if each.default in (MISSING, None, (), math.inf) or said.silent:
-        return None
-    return from_si(name_of(each), each.default)
-
-
-def _shown(each: Field[Any], default: Any, optional: bool, text: str | None) -> Any:
-    """Field of a model, as pydantic takes it."""
-    said: Input = each.metadata["input"]
-    given: dict[str, Any] = {}
-    if optional or default is not None:
-        given["default"] = [*default] if isinstance(default, tuple) else default
+def _field(each: Said, given: dict[str, Any]) -> Any:
+    """Field of a model, as pydantic takes it; `given` may have its default."""
+    said = each.input
     if said.alias:
         given["alias"] = said.alias
     if not said.title:
-        return Limits(description=text, **given)
-    schema: dict[str, Any] = NO_DUST if said.or_zero else {}
-    if said.options:
-        schema = schema | {"x-options": [*said.options]}
-    return quantity(
-        said.title,
-        said.symbol,
-        help=text,
-        step=said.step,
-        advanced=said.advanced,
-        schema=schema,
-        **given,
-    )
+        return Limits(description=each.help, **given)
+    offered = {"x-options": [*said.options]} if said.options else {}
+    given["schema"] = (NO_DUST if said.or_zero else {}) | offered
+    given |= {"help": each.help, "step": said.step, "advanced": said.advanced}
+    return quantity(said.title, said.symbol, **given)
 
 
 def _sent(hint: Any, said: Input, group: str | None, depth: int = 0) -> Sent:
@@ -243,9 +219,8 @@ def model_of(kind: type, group: str | None) -> type[SectionFields]:
             return each
     own = {"__module__": __name__, "__doc__": kind.__doc__}
     made = {"of": kind, "group": group}
-    return new_class(
-        f"{kind.__name__}Fields", (SectionFields,), made, lambda body: body.update(own)
-    )
+    name = f"{kind.__name__}Fields"
+    return new_class(name, (SectionFields,), made, lambda body: body.update(own))
 
 
 def _models(model: type[SectionFields]) -> Iterator[type[SectionFields]]:

@@ -64,9 +64,6 @@ from core.hertz import Spread
 Size = Annotated[float, Field(ge=SMALLEST, le=LARGEST)]
 """Positive physical quantity in its unit."""
 
-RingSize = Annotated[float, Field(ge=SMALLEST, le=1e5)]
-"""Size of a ring, mm, up to a hundred metres, as the turn of a larger one takes long."""
-
 Angle = Annotated[float, Field(ge=-3600, le=3600)]
 """Angle in degrees, of up to ten turns."""
 

@@ -410,8 +410,8 @@ class Rollers:
     """Rolling bearings on the pins, whose outer rings roll in the holes."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
-        (("kind",), ("name",), ("kind", "name")),
         (("bore_diameter",), ("name",), ("bore_diameter", "name")),
+        (("kind",), ("name",), ("kind", "name")),
     )
 
     name: str | None = bearing_name()
