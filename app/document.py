@@ -35,14 +35,14 @@ LIST: Any = list
 """Generic types of annotations that are made at import."""
 
 
-class Sent(NamedTuple):
+class JsonForm(NamedTuple):
     """Form of a value in JSON, and its conversion to the core if that is no change of its unit."""
 
     annotation: Any
     convert: Convert | None = None
 
 
-SENT: dict[Any, Sent] = {}
+JSON_FORMS: dict[Any, JsonForm] = {}
 """Forms of types of core that are neither numbers, words, lists nor sections."""
 
 
@@ -74,17 +74,17 @@ class SectionFields(PartFields):
     ) -> None:
         if of is not None:
             kinds = [*of.values()] if isinstance(of, Mapping) else [of]
-            said: dict[str, Said] = {}
-            for each in chain.from_iterable(map(_said, kinds)):
+            chosen: dict[str, RequestField] = {}
+            for each in chain.from_iterable(map(request_fields, kinds)):
                 if each.core not in without and (not only or each.core in only):
-                    said.setdefault(each.core, each)
+                    chosen.setdefault(each.core, each)
             stated = {*needs}
             if isinstance(of, Mapping):
                 cls.KINDS = {name: _of_kind(kind) for name, kind in of.items()}
             else:
-                stated |= {name for name, each in said.items() if each.needed}
-            _give_fields(cls, said, stated, group)
-            _give_rules(cls, kinds, {"kind": "kind"} | {name: said[name].name for name in said})
+                stated |= {name for name, each in chosen.items() if each.needed}
+            _give_fields(cls, chosen, stated, group)
+            _give_rules(cls, kinds, {"kind": "kind"} | {name: chosen[name].name for name in chosen})
             cls.DOCUMENT = of
         super().__init_subclass__(group=group, **config)
 
@@ -98,7 +98,7 @@ class SectionFields(PartFields):
         return made(**own)
 
 
-class Said(NamedTuple):
+class RequestField(NamedTuple):
     """Field of a dataclass, as requests have it."""
 
     core: str
@@ -113,7 +113,7 @@ class Said(NamedTuple):
 
 
 @cache
-def _said(kind: Any) -> tuple[Said, ...]:
+def request_fields(kind: Any) -> tuple[RequestField, ...]:
     """Fields of a dataclass that requests have."""
     hints, helps, found = get_type_hints(kind), help_of(kind), []
     for each in fields(kind):
@@ -123,32 +123,32 @@ def _said(kind: Any) -> tuple[Said, ...]:
             default = None if absent else from_si(name, each.default)
             needed = each.default is MISSING and not own.filled
             hint, text = hints[each.name], helps.get(each.name)
-            found.append(Said(each.name, name, own, hint, default, needed, text))
+            found.append(RequestField(each.name, name, own, hint, default, needed, text))
     return tuple(found)
 
 
 def _of_kind(kind: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Needed and optional fields of a dataclass, in names of JSON."""
-    needed = tuple(each.name for each in _said(kind) if each.needed)
-    return needed, tuple(each.name for each in _said(kind) if not each.needed)
+    needed = tuple(each.name for each in request_fields(kind) if each.needed)
+    return needed, tuple(each.name for each in request_fields(kind) if not each.needed)
 
 
 def _give_fields(
-    cls: Any, said: Mapping[str, Said], stated: Collection[str], group: str | None
+    cls: Any, chosen: Mapping[str, RequestField], stated: Collection[str], group: str | None
 ) -> None:
     """Give a model the fields of dataclasses that it does not inherit; those that have no default
     and need not be stated are optional.
     """
     own, annotations, converters = cls.__annotations__, {}, {**cls.CONVERTERS}
-    for core, each in said.items():
+    for core, each in chosen.items():
         if each.name in cls.model_fields:
             continue
-        sent = _sent(each.hint, each.input, group)
-        if sent.convert is not None:
-            converters[each.name] = sent.convert
+        form = _json_form(each.hint, each.input, group)
+        if form.convert is not None:
+            converters[each.name] = form.convert
         needed = each.default is None and core in stated
         known = needed or each.default is not None
-        annotations[each.name] = sent.annotation if known else OPTIONAL[sent.annotation]
+        annotations[each.name] = form.annotation if known else OPTIONAL[form.annotation]
         if each.name not in own:
             setattr(cls, each.name, _field(each, {} if needed else {"default": each.default}))
     written = {name: each for name, each in own.items() if name not in annotations}
@@ -173,42 +173,43 @@ def _give_rules(cls: Any, kinds: Collection[Any], names: Mapping[str, str]) -> N
     )
 
 
-def _field(each: Said, given: dict[str, Any]) -> Any:
+def _field(each: RequestField, given: dict[str, Any]) -> Any:
     """Field of a model, as pydantic takes it; `given` may have its default."""
-    said = each.input
-    if said.alias:
-        given["alias"] = said.alias
-    if not said.title:
+    about = each.input
+    if about.alias:
+        given["alias"] = about.alias
+    if not about.title:
         return Limits(description=each.help, **given)
-    offered = {"x-options": [*said.options]} if said.options else {}
-    given["schema"] = (NO_DUST if said.or_zero else {}) | offered
-    given |= {"help": each.help, "step": said.step, "advanced": said.advanced}
-    return quantity(said.title, said.symbol, **given)
+    offered = {"x-options": [*about.options]} if about.options else {}
+    given["schema"] = (NO_DUST if about.or_zero else {}) | offered
+    given |= {"help": each.help, "step": about.step, "advanced": about.advanced}
+    return quantity(about.title, about.symbol, **given)
 
 
-def _sent(hint: Any, said: Input, group: str | None, depth: int = 0) -> Sent:
+def _json_form(hint: Any, about: Input, group: str | None, depth: int = 0) -> JsonForm:
     """Form in JSON of a type of core; lists within others are at a depth."""
     if NoneType in get_args(hint):
         hint = reduce(or_, (each for each in get_args(hint) if each is not NoneType))
     if getattr(hint, "__origin__", None) is tuple:
-        inner = _sent(get_args(hint)[0], said, group, depth + 1)
-        least, most = said.lengths[depth]
+        inner = _json_form(get_args(hint)[0], about, group, depth + 1)
+        least, most = about.lengths[depth]
         listed = LIMITED[LIST[inner.annotation], Limits(min_length=least, max_length=most)]
-        if is_dataclass(get_args(hint)[0]) or said.unit:
-            return Sent(listed)
-        return Sent(listed, tuple)
-    if hint in SENT:
-        return SENT[hint]
+        if is_dataclass(get_args(hint)[0]) or about.unit:
+            return JsonForm(listed)
+        return JsonForm(listed, tuple)
+    if hint in JSON_FORMS:
+        return JSON_FORMS[hint]
     if is_dataclass(hint):
-        return Sent(model_of(cast(type, hint), group))
-    limits = Limits(**said.limits)
+        return JsonForm(model_of(cast(type, hint), group))
+    limits = Limits(**about.limits)
     if hint is int:
-        return Sent(Annotated[int, limits, BeforeValidator(whole)])
+        return JsonForm(Annotated[int, limits, BeforeValidator(whole)])
     if hint is float:
-        return Sent(Annotated[float, limits, *([AfterValidator(no_dust)] if said.or_zero else [])])
-    if hint is str and said.lengths:
-        return Sent(Annotated[str, Limits(max_length=said.lengths[0][1])])
-    return Sent(hint)
+        more = [AfterValidator(no_dust)] if about.or_zero else []
+        return JsonForm(Annotated[float, limits, *more])
+    if hint is str and about.lengths:
+        return JsonForm(Annotated[str, Limits(max_length=about.lengths[0][1])])
+    return JsonForm(hint)
 
 
 @cache

@@ -74,8 +74,8 @@ def quantity(
     """Field of a dataclass with its `Input`, to which `more` adds."""
     limits = {"ge": ge, "gt": gt, "le": le, "lt": lt}
     given = {name: limit for name, limit in limits.items() if limit is not None}
-    said = Input(title=title, symbol=symbol, unit=unit, limits=given, **more)
-    return field(default=default, metadata={"input": said})
+    own = Input(title=title, symbol=symbol, unit=unit, limits=given, **more)
+    return field(default=default, metadata={"input": own})
 
 
 size = partial(quantity, ge=SMALLEST, le=LARGEST)

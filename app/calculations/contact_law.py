@@ -3,7 +3,7 @@
 from typing import Any, Literal
 
 from app.calculations.hertz import material_of
-from app.document import SENT, SectionFields, Sent
+from app.document import JSON_FORMS, JsonForm, SectionFields
 from app.model import Maybe, Size, quantity
 from core.output.elasticity import (
     LAWS,
@@ -62,4 +62,4 @@ class MeshLawFields(
         return super().section() if self.given else None
 
 
-SENT[ContactLaw] = Sent(MeshLawFields)
+JSON_FORMS[ContactLaw] = JsonForm(MeshLawFields)

@@ -16,7 +16,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from app.document import SENT, Sent
+from app.document import JSON_FORMS, JsonForm
 from app.model import (
     UNION_TAGS,
     AccuracyOut,
@@ -205,7 +205,7 @@ Material = Annotated[
 
 UNION_TAGS.update(("by_name", "by_values"))
 
-SENT[ElasticMaterial] = Sent(Material, material_of)
+JSON_FORMS[ElasticMaterial] = JsonForm(Material, material_of)
 
 
 contact_length = partial(

@@ -8,11 +8,11 @@ from typing import Any, ClassVar, Literal
 import pytest
 from pydantic import ValidationError
 
-from app.document import Said, SectionFields, _said
+from app.document import RequestField, SectionFields, request_fields
 from app.model import Maybe, quantity
 from app.units import UNITS
 from core.fields import Forms, Rule, optional_size, size
-from core.fields import quantity as said
+from core.fields import quantity as of_core
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,10 +30,10 @@ class Plate:
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("mass",), ("density",), ()),)
     BETWEEN: ClassVar[tuple[Rule, ...]] = (Rule("density", "needed_beside", "holes"),)
 
-    turned: float = said("Turned", "φ", "deg", default=math.pi, ge=0, le=360)
+    turned: float = of_core("Turned", "φ", "deg", default=math.pi, ge=0, le=360)
     """Angle by which the plate
     is turned."""
-    corners: int = said("Corners", ge=3, le=10)
+    corners: int = of_core("Corners", ge=3, le=10)
     """Number of corners."""
     mass: float | None = optional_size("Mass", "m", "kg")
     """Mass of the plate."""
@@ -43,12 +43,12 @@ class Plate:
         "Rows", "", "mm", default=(), lengths=((1, 2), (1, 3))
     )
     """Rows of places."""
-    holes: tuple[Hole, ...] = said(default=(), lengths=((1, 2),))
+    holes: tuple[Hole, ...] = of_core(default=(), lengths=((1, 2),))
     stiffness: float = size("Stiffness", "k", "N_per_mm", default=math.inf)
     """Stiffness of the plate, rigid if not given."""
-    painted: bool = said("Painted", default=False, silent=True)
+    painted: bool = of_core("Painted", default=False, silent=True)
     """True if the plate is painted."""
-    names: tuple[Literal["a", "b"], ...] = said("Names", default=("a",), lengths=((1, 2),))
+    names: tuple[Literal["a", "b"], ...] = of_core("Names", default=("a",), lengths=((1, 2),))
     """Names of the plate."""
 
 
@@ -153,22 +153,22 @@ def _sections(model: Any) -> Iterator[Any]:
             yield from _sections(each)
 
 
-def _all_said() -> dict[tuple[Any, str], Said]:
+def _all_fields() -> dict[tuple[Any, str], RequestField]:
     found = {}
     for model in _sections(SectionFields):
         of = vars(model).get("DOCUMENT", {})
         for kind in of.values() if isinstance(of, dict) else (of,):
-            found |= {(kind, each.core): each for each in _said(kind)}
+            found |= {(kind, each.core): each for each in request_fields(kind)}
     return found
 
 
 def test_every_field_of_the_document_has_its_words_and_a_unit() -> None:
-    every = _all_said()
+    every = _all_fields()
     assert len(every) > 100
     for each in every.values():
-        said = each.input
-        assert not said.unit or said.unit in UNITS
-        assert each.help or not said.title
+        about = each.input
+        assert not about.unit or about.unit in UNITS
+        assert each.help or not about.title
         if isinstance(each.default, float):
-            low, high = said.limits.get("ge", -math.inf), said.limits.get("le", math.inf)
+            low, high = about.limits.get("ge", -math.inf), about.limits.get("le", math.inf)
             assert low <= each.default <= high
