@@ -10,7 +10,7 @@ its own centre to where its pins have most room.
 import math
 from collections.abc import Callable, MutableSequence, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from itertools import chain
 from typing import Generic, Literal, NamedTuple, TypeVar
 
@@ -69,12 +69,17 @@ NO_PLAY = -1e3
 TINY = 1e-300
 """Divisor in the place of 0."""
 
-
 PER_PIN, PER_SATELLITE = (1, 1000), (1, MAX_SATELLITES)
 """Least and largest number of values of lists that are stated one by one."""
 
-LENGTH = {"ge": -1e6, "le": 1e6}
-"""Limits of a deviation of the output mechanism, mm."""
+_length = partial(quantity, unit="mm", default=(), step=0.001, ge=-1e6, le=1e6)
+_of_pin = partial(_length, lengths=(PER_PIN,))
+_of_hole = partial(_length, lengths=(PER_SATELLITE, PER_PIN))
+_of_ring_pin = partial(_of_pin, ge=-0.2, le=0.2)
+_phase = partial(
+    quantity, unit="deg", default=(), step=0.001, ge=-360, le=360, lengths=(PER_SATELLITE,)
+)
+"""Lists of deviations."""
 
 OF_RING_PINS = ("ring_pin_radial", "ring_pin_tangential", "ring_pin_radius")
 """Deviations of the pins of a ring."""
@@ -102,88 +107,32 @@ class Deviations:
     that of satellites.
     """
 
-    pin_radial: tuple[float, ...] = quantity(
-        "Pins outward", "ρ", "mm", default=(), step=0.001, lengths=(PER_PIN,), **LENGTH
-    )
+    pin_radial: tuple[float, ...] = _of_pin("Pins outward", "ρ")
     """Radial deviation of each pin's centre, positive outward."""
-    pin_tangential: tuple[float, ...] = quantity(
-        "Pins along the circle", "τ", "mm", default=(), step=0.001, lengths=(PER_PIN,), **LENGTH
-    )
+    pin_tangential: tuple[float, ...] = _of_pin("Pins along the circle", "τ")
     """Tangential deviation of each pin's centre, positive in the driving sense."""
-    pin_radius: tuple[float, ...] = quantity(
-        "Pin radii", "Δr", "mm", default=(), step=0.001, lengths=(PER_PIN,), **LENGTH
-    )
+    pin_radius: tuple[float, ...] = _of_pin("Pin radii", "Δr")
     """Deviation of each pin's radius, positive for a larger pin."""
-    hole_radial: tuple[tuple[float, ...], ...] = quantity(
-        "Holes outward",
-        "ρ_j",
-        "mm",
-        default=(),
-        step=0.001,
-        lengths=(PER_SATELLITE, PER_PIN),
-        **LENGTH,
-    )
+    hole_radial: tuple[tuple[float, ...], ...] = _of_hole("Holes outward", "ρ_j")
     """Radial deviation of each hole's centre, positive outward, as one list per satellite."""
-    hole_tangential: tuple[tuple[float, ...], ...] = quantity(
-        "Holes along the circle",
-        "τ_j",
-        "mm",
-        default=(),
-        step=0.001,
-        lengths=(PER_SATELLITE, PER_PIN),
-        **LENGTH,
-    )
+    hole_tangential: tuple[tuple[float, ...], ...] = _of_hole("Holes along the circle", "τ_j")
     """Tangential deviation of each hole's centre, positive in the driving sense, as one list per
     satellite."""
-    hole_radius: tuple[tuple[float, ...], ...] = quantity(
-        "Hole radii",
-        "Δr_j",
-        "mm",
-        default=(),
-        step=0.001,
-        lengths=(PER_SATELLITE, PER_PIN),
-        **LENGTH,
-    )
+    hole_radius: tuple[tuple[float, ...], ...] = _of_hole("Hole radii", "Δr_j")
     """Deviation of each hole's radius, positive for a larger hole, as one list per satellite."""
-    eccentricity: tuple[float, ...] = quantity(
-        "Eccentricities", "Δe", "mm", default=(), step=0.001, lengths=(PER_SATELLITE,), **LENGTH
-    )
+    eccentricity: tuple[float, ...] = _length("Eccentricities", "Δe", lengths=(PER_SATELLITE,))
     """Deviation of the eccentricity of each crank, positive for a larger one."""
-    crank_phase: tuple[float, ...] = quantity(
-        "Crank phases",
-        "Δα",
-        "deg",
-        default=(),
-        step=0.001,
-        ge=-360,
-        le=360,
-        lengths=(PER_SATELLITE,),
-    )
+    crank_phase: tuple[float, ...] = _phase("Crank phases", "Δα")
     """Deviation of the angle of each crank, positive ahead."""
-    disc_phase: tuple[float, ...] = quantity(
-        "Disc phases", "η", "deg", default=(), step=0.001, ge=-360, le=360, lengths=(PER_SATELLITE,)
-    )
+    disc_phase: tuple[float, ...] = _phase("Disc phases", "η")
     """Deviation of the angle of each disc's holes relative to its teeth, positive ahead."""
-    ring_pin_radial: tuple[float, ...] = quantity(
-        "Ring pins outward", "ρ", "mm", default=(), step=0.001, ge=-0.2, le=0.2, lengths=(PER_PIN,)
-    )
+    ring_pin_radial: tuple[float, ...] = _of_ring_pin("Ring pins outward", "ρ")
     """Radial deviation of each ring pin's centre, positive outward; the first pin faces the crank
     at the crank angle 0."""
-    ring_pin_tangential: tuple[float, ...] = quantity(
-        "Ring pins along the circle",
-        "τ",
-        "mm",
-        default=(),
-        step=0.001,
-        ge=-0.2,
-        le=0.2,
-        lengths=(PER_PIN,),
-    )
+    ring_pin_tangential: tuple[float, ...] = _of_ring_pin("Ring pins along the circle", "τ")
     """Tangential deviation of each ring pin's centre, positive in the sense of the output's
     rotation."""
-    ring_pin_radius: tuple[float, ...] = quantity(
-        "Ring pin radii", "Δr", "mm", default=(), step=0.001, ge=-0.2, le=0.2, lengths=(PER_PIN,)
-    )
+    ring_pin_radius: tuple[float, ...] = _of_ring_pin("Ring pin radii", "Δr")
     """Deviation of each ring pin's radius, positive for a larger pin."""
 
     @property

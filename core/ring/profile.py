@@ -12,6 +12,7 @@ A valley lies at t = 0, and t passes the disc clockwise.
 
 import math
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 
@@ -36,32 +37,18 @@ ALONG = 4
 """Least number of parts into which a chord is divided to measure the outline's distance from it."""
 
 
+_offset = partial(quantity, unit="mm", default=0.0, step=0.005, ge=-0.5, le=0.5, or_zero=True)
+"""Offset of the tool, positive or negative."""
+
+
 @dataclass(frozen=True, slots=True)
 class Modification:
     """Offsets of the tool that cuts the discs from the ring pins."""
 
-    equidistant: float = quantity(
-        "Equidistant modification",
-        "Δ_e",
-        "mm",
-        default=0.0,
-        step=0.005,
-        ge=-0.5,
-        le=0.5,
-        or_zero=True,
-    )
+    equidistant: float = _offset("Equidistant modification", "Δ_e")
     """Radius of the tool less that of the ring pins; a positive value makes the disc smaller all
     around."""
-    pin_circle: float = quantity(
-        "Modification of the circle",
-        "Δ_p",
-        "mm",
-        default=0.0,
-        step=0.005,
-        ge=-0.5,
-        le=0.5,
-        or_zero=True,
-    )
+    pin_circle: float = _offset("Modification of the circle", "Δ_p")
     """Radius of the tool's circle less that of the ring pins; a negative value makes the disc
     smaller."""
     rotation: float = quantity(
