@@ -4,7 +4,6 @@
 the bytes and orjson writes them, which takes half the time of FastAPI's own way.
 """
 
-import asyncio
 import time
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
 from contextlib import aclosing
@@ -18,6 +17,7 @@ from fastapi.middleware.gzip import GZipMiddleware
 from fastapi.responses import JSONResponse, StreamingResponse
 from fastapi.routing import APIRoute
 from pydantic import BaseModel, Field, TypeAdapter, ValidationError
+from starlette.requests import ClientDisconnect
 from starlette.types import Receive, Scope, Send
 
 from app.middleware import PART_BYTES
@@ -36,7 +36,6 @@ from app.problems import (
     REFUSED,
     RESPONSES,
     Problem,
-    named,
     problem_of,
     refusal,
     refuse_for,
@@ -49,7 +48,7 @@ from app.record import Record, at_hand
 from app.registry import CALCULATIONS, EXPORTS
 from app.settings import Settings
 from app.theme import Theme, with_words
-from core.errors import CalculationError, ImpossibleMechanism, InvalidInput
+from core.errors import CalculationError, ImpossibleMechanism
 
 JSON = "application/json"
 LINES = "application/x-ndjson"
@@ -277,22 +276,20 @@ async def received(request: Request, record: Record, limit: int) -> bytes:
         raise Problem("unsupported-media-type", "Send the body without a content encoding")
     if int(headers.get(b"content-length", 0)) > limit:  # FastAPI's limit answers by plain text
         raise too_large(limit)
-    content, late, loop = bytearray(), asyncio.timeout(None), asyncio.get_running_loop()
-    end = loop.time() + record.settings.receive_seconds
-    starting = loop.call_soon(late.reschedule, end)  # most bodies are here, and need no timer
-    try:
-        async with late:
-            async for part in request.stream():
-                content += part
-                if len(content) > limit:
-                    raise too_large(limit)
-                if len(content) > LIGHT_BYTES:
-                    take_place(record)
-    except TimeoutError:
-        detail = "The body did not arrive in time"
-        raise Problem("request-timeout", detail, headers={"connection": "close"}) from None
-    finally:
-        starting.cancel()
+    content, more = bytearray(), True
+    while more:
+        message = await request.receive()
+        if message["type"] == "http.disconnect":
+            raise ClientDisconnect
+        content += message.get("body", b"")
+        more = message.get("more_body", False)
+        if more and time.perf_counter() - record.started > record.settings.receive_seconds:
+            detail = "The body did not arrive in time"
+            raise Problem("request-timeout", detail, headers={"connection": "close"})
+        if len(content) > limit:
+            raise too_large(limit)
+        if len(content) > LIGHT_BYTES:
+            take_place(record)
     record.received = time.perf_counter()
     return bytes(content)
 
@@ -318,8 +315,8 @@ def admitted(read: Callable[[Any], Body], content: Any, settings: Settings) -> B
         raise wrong_fields(error) from None
     try:
         body.refuse_beyond(settings)
-    except InvalidInput as error:
-        raise named(error, body) from error
+    except CalculationError as error:
+        refuse_for(body, error)
     return body
 
 

@@ -33,7 +33,8 @@ class PatientProtocol(HttpToolsProtocol):
     """Connection with one request at a time.
 
     A second request before the answer to the first one is not read, and ends the connection after
-    that answer. A client that takes nothing of its answer for `KHV_RECEIVE_SECONDS` is cut off.
+    that answer. A request whose body is not whole within `KHV_RECEIVE_SECONDS` is told so
+    (`app.endpoint.received`), and a client that takes nothing of its answer for as long is cut off.
     Connections beyond `KHV_MAX_CONNECTIONS` are told when to come again.
     """
 
@@ -41,6 +42,7 @@ class PatientProtocol(HttpToolsProtocol):
         super().__init__(*args, **given)
         self.settings = current()
         self.answer_timer: asyncio.TimerHandle | None = None
+        self.body_timer: asyncio.TimerHandle | None = None
         self.head_bytes: int | None = None  # None outside of a head
         self.ending = False
 
@@ -60,15 +62,20 @@ class PatientProtocol(HttpToolsProtocol):
     def connection_lost(self, exc: Exception | None) -> None:
         """Forget the connection."""
         self.resume_writing()
+        self._stop_body_timer()
         with suppress(ValueError):
             BEYOND.remove(self)
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """Take a part of a request, unless it must not be read or its head has no end."""
+        """Take a part of a request, unless it must not be read or its head has no end. A request
+        that arrives whole, as most do, starts no timer.
+        """
         if self.ending:
             return
         super().data_received(data)
+        if self.cycle is not None and self.cycle.more_body and self.body_timer is None:
+            self._wake_after(self.settings.receive_seconds)
         if self.head_bytes is not None:
             self.head_bytes += len(data)
             if self.head_bytes > MAX_HEAD_BYTES:
@@ -90,6 +97,25 @@ class PatientProtocol(HttpToolsProtocol):
         if unknown or len(self.url) + sum(map(len, chain(*self.headers))) > MAX_HEAD_BYTES:
             raise ValueError  # stops the parser, and is answered as what is no request
         super().on_headers_complete()
+
+    def on_message_complete(self) -> None:
+        """Note that the request is whole."""
+        self._stop_body_timer()
+        super().on_message_complete()
+
+    def _wake_after(self, seconds: float) -> None:
+        """Tell the application, again and again, that nothing more of the body has come."""
+
+        def wake() -> None:
+            self.cycle.message_event.set()
+            self._wake_after(1.0)
+
+        self.body_timer = self.loop.call_later(seconds, wake)
+
+    def _stop_body_timer(self) -> None:
+        if self.body_timer is not None:
+            self.body_timer.cancel()
+            self.body_timer = None
 
     def send_400_response(self, msg: str) -> None:
         """Refuse what is no request, unless an answer is under way."""
