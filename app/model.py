@@ -3,7 +3,6 @@
 import math
 import re
 import time
-from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
@@ -143,8 +142,12 @@ def _complete_schema(schema: dict[str, Any]) -> None:
 
 
 def request_schema(schema: dict[str, Any], model: type["RequestModel"]) -> None:
-    """Complete the schema of a request with units, and with rules between its fields."""
+    """Complete the schema of a request with units, with rules between its fields, and with the
+    fields of sections that the request needs.
+    """
     _complete_schema(schema)
+    if model.NEEDS:
+        schema["x-needs"] = ["/" + path for path in model.NEEDS]
     if rules := schema_rules(model):
         schema["allOf"] = rules
 
@@ -176,6 +179,9 @@ class RequestModel(BaseModel):
 
     KINDS: ClassVar[Kinds] = {}
     """Fields by kind, with None for no kind; fields in no kind belong to all kinds."""
+
+    NEEDS: ClassVar[tuple[str, ...]] = ()
+    """Paths of optional fields that have to be given, such as ``load/input_speed_rpm``."""
 
     BETWEEN: ClassVar[tuple[Rule, ...]] = ()
     """Rules between fields. The JSON schema has those between own fields, but not those that reach
@@ -289,6 +295,11 @@ class RequestModel(BaseModel):
         plan = _core_plan(type(self))
         return {plan[name].core: plan[name].convert(value) for name, value in self.given.items()}
 
+    @property
+    def not_used(self) -> list[str]:
+        """Given sections that the calculation does not use."""
+        return []
+
     ASSUMED: ClassVar[tuple[str, ...]] = ()
     """Fields whose default decides about the answer, which states the default if they are not
     given."""
@@ -333,18 +344,10 @@ def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
     """Conversion of the fields of a request to the core, by field."""
     plan = {}
     for name, field in model.model_fields.items():
-        part = any(issubclass(held, PartFields) for held, _ in _held(field.annotation))
+        part = any(hasattr(held, "section") for held, _ in _held(field.annotation))
         convert = _section if part else model.CONVERTERS.get(name) or to_si_converter(name)
         plan[name] = _InCore(core_name(name), convert)
     return plan
-
-
-class PartFields(RequestModel):
-    """Part of a section, alone or in a list, which the core's arguments have in SI units."""
-
-    @abstractmethod
-    def section(self) -> Any:
-        """Part in SI units."""
 
 
 def _section(part: Any) -> Any:
@@ -559,6 +562,8 @@ class Calculation:
         `report` is told the progress of a study, from 0 to 1.
         """
         values = self.solved(body, report)
+        if not_used := body.not_used:
+            values["not_used"] = not_used
         if assumed := [
             {"pointer": "/" + "/".join(path), **_taken(path[-1], value), **body.without(path)}
             for path, value in body.assumed()
@@ -612,6 +617,10 @@ class _Plan(NamedTuple):
     states_accuracy: bool
 
 
+BESIDE_RESULTS = ("accuracy", "warnings", "assumed", "not_used", "worked")
+"""Fields of an answer that no core result has by that name."""
+
+
 @cache
 def _plan(model: type[ResponseModel], *given: str) -> _Plan:
     fields = model.model_fields
@@ -624,7 +633,7 @@ def _plan(model: type[ResponseModel], *given: str) -> _Plan:
                 field.is_required(),
             )
             for name, field in fields.items()
-            if name not in ("accuracy", "warnings", "assumed", "worked", *model.BESIDE, *given)
+            if name not in (*BESIDE_RESULTS, *model.BESIDE, *given)
         ],
         "warnings" in fields,
         "accuracy" in fields,
@@ -736,33 +745,32 @@ class StepOut(BaseModel):
     )
 
 
-def worked_steps() -> Any:
-    """Field of an answer with its worked steps."""
-    return Field(
+class WorkedResponse(ResponseModel):
+    """Answer that can have worked steps."""
+
+    worked: Maybe[list[StepOut]] = Field(
         default=None,
         description="Worked steps: derivation of the numbers from each other, if requested; "
         "`GET /words` contains the texts by code.",
     )
 
 
-class WorkedResponse(ResponseModel):
-    """Answer that can have worked steps."""
-
-    worked: Maybe[list[StepOut]] = worked_steps()
-
-
-def assumptions() -> Any:
-    """Field of an answer with its assumptions."""
-    return Field(
-        description="Values that were not given and decide about the answer; absent if all "
-        "were given."
-    )
-
-
 class AssumingResponse(WorkedResponse):
     """Answer that states its assumptions."""
 
-    assumed: Maybe[list[AssumedOut]] = assumptions()
+    assumed: Maybe[list[AssumedOut]] = Field(
+        default=None,
+        description="Values that were not given and decide about the answer; absent if all were "
+        "given.",
+    )
+
+
+class DocumentResponse(AssumingResponse):
+    """Answer to a design document."""
+
+    not_used: Maybe[list[str]] = Field(
+        default=None, description="Given sections of the document that this answer does not use."
+    )
 
 
 def notices_of(*results: Any) -> tuple[Notice, ...]:

@@ -37,14 +37,11 @@ OF_REQUESTS = {
     "bool_type": "must be true or false",
     "dict_type": "must be an object",
     "discs_disagree": "must be {field}, or left out: holes and teeth are of the same discs",
+    "dust": "must be 0 or at least {limit:g} in size",
     "elastomer": "must be stiffer: elastomers stretch by their own length at a few MPa, and their "
     "contact is not calculated",
-    "clearance_dust": "must leave a clearance that is 0 or at least {limit_mm:g} mm in size",
-    "dust": "must be 0 or at least {limit:g} in size",
     "extra_forbidden": "is not a known field",
     "float_type": "must be a number",
-    "hole_disagrees": "must be pin radius + eccentricity + clearance, "
-    "{expected_mm:.15g} mm, or left out",
     "int_type": "must be a whole number",
     "json_invalid": "is not valid JSON: {error}",
     "list_type": "must be a list",
@@ -86,8 +83,6 @@ OF_REQUESTS = {
     "too_nested": "must hold at most {limit} lists and objects",
     "unknown_material": "must be a material of the table, or given by values ({values}). "
     "{materials}. Other names: {aliases}",
-    "with_real_forces": "must be at most 1 with clearance, deviations or elasticity: forces "
-    "are solved then, not assumed",
     "with_rollers": "must be at most {limit}, with {rollers} rollers",
 }
 """Texts of errors found before any calculation, in the form of `core.codes`."""
@@ -345,7 +340,8 @@ def wrong_fields(error: ValidationError) -> Problem:
 
 def _item(error: ErrorDetails, place: tuple[int | str, ...]) -> FieldProblem:
     kind, context = error["type"], error.get("ctx", {})
-    path = [part for part in place if part not in UNION_TAGS]
+    last = len(place) - 1 if kind == "extra_forbidden" else None  # may be called as a tag is
+    path = [part for at, part in enumerate(place) if at == last or part not in UNION_TAGS]
     if kind == "json_invalid":
         return wrong("", kind, error=context["error"])
     if kind == "field_error":
@@ -408,8 +404,10 @@ COMPARING = frozenset(
         "at_most",
         "below_working",
         "beyond_support",
+        "clearance_dust",
         "greater_than",
         "greater_than_equal",
+        "hole_disagrees",
         "in_carrier",
         "larger_than",
         "less_than",
@@ -435,6 +433,10 @@ def refuse_for(body: RequestModel, error: CalculationError) -> NoReturn:
         raise named(error.refusal, body) from error
     if isinstance(error, NotKnown) and error.missing:
         raise refusal(pointer(body.path_of(error.missing[0])), "missing") from error
+    if isinstance(error, NotKnown):
+        params: Any = error.params
+        code = error.code if error.code in TEXTS else "outside_method"
+        raise impossible(ImpossibleMechanism(code, **params)) from error
     if isinstance(error, ImpossibleMechanism) and error.parameter:
         raise impossible(error, pointer(body.path_of(error.parameter))) from error
     raise error

@@ -22,9 +22,10 @@ from core.crank.bearing_life import rating_life
 from core.crank.crankshaft import crankshaft
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import satellite_bearings
+from core.design.contact import Contact
 from core.design.document import Design, changed
 from core.design.results import Results
-from core.design.sections import Contact, Load, MechanismSection
+from core.design.sections import Load, MechanismSection
 from core.fatigue import size_factor, utilisation
 from core.fixes.crank import crank_fixes
 from core.hertz import ElasticMaterial, hertz

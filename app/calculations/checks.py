@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from app.document import SectionFields
+from app.fields import SectionFields
 from app.model import (
     REPLACED,
     AssumingResponse,

@@ -1,6 +1,6 @@
 """Contact force of the pairs: its request and its figure."""
 
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from pydantic import Field
@@ -12,6 +12,7 @@ from app.model import (
     Values,
     timed,
 )
+from app.rules import Forms
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
 from app.theme import (
     IDEAL,
@@ -31,6 +32,7 @@ from app.theme import (
 from app.units import from_si
 from app.worked import worked
 from core.arrays import FloatArray
+from core.design.sections import Load, MechanismSection
 from core.output.contact_force import (
     ContactForce,
 )
@@ -40,8 +42,20 @@ from core.worked.step import Step
 RequestSection = Literal["curves", "equal_sharing", "approximation", "worked"]
 
 
-class ContactForceRequest(MechanismFields, LoadFields):
+class LeverFields(
+    LoadFields, of=Load, only=("pin_circle_radius",), needs=("pin_circle_radius",), group="load"
+):
+    """Load with its lever."""
+
+
+class ContactForceRequest(
+    MechanismFields, LeverFields, of=MechanismSection, needs=("pins",), group="mechanism"
+):
     """A mechanism and its load."""
+
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("output_torque_Nm",), ("input_torque_Nm", "efficiency")),
+    )
 
     def cost(self) -> float:
         """Number of points of its pairs and curves."""

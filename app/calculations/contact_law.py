@@ -3,7 +3,7 @@
 from typing import Any, Literal
 
 from app.calculations.hertz import material_of
-from app.document import JSON_FORMS, JsonForm, SectionFields
+from app.fields import JSON_FORMS, JsonForm, SectionFields
 from app.model import Maybe, Size, quantity
 from core.output.elasticity import (
     LAWS,

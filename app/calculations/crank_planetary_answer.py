@@ -7,7 +7,7 @@ from pydantic import Field
 from app.calculations.checks import JudgedResponse, PartOut
 from app.calculations.combined import CombinedOut
 from app.calculations.crankshaft import CrankshaftResponse
-from app.calculations.design import ForcesUsed, forces_used
+from app.calculations.document import ForcesUsed, forces_used
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import HertzResponse
 from app.calculations.ideal_forces import ContactForceResponse, CyclogramResponse, ForceCurvesOut
@@ -21,7 +21,15 @@ from app.calculations.ring_mesh_answer import DesignMeshOut, DesignPairOut, Ring
 from app.calculations.satellite_bearing import SatelliteBearingResponse
 from app.calculations.shares_answer import SharesOut
 from app.calculations.usual_fit_answer import UsualFitOut, UsualModificationOut
-from app.model import AccuracyOut, Maybe, ResponseModel, Values, WarningOut, result
+from app.model import (
+    AccuracyOut,
+    DocumentResponse,
+    Maybe,
+    ResponseModel,
+    Values,
+    WarningOut,
+    result,
+)
 from core.checks.records import CHECKS
 from core.design.real_forces import RealForces
 from core.output.sampled_turn import WAYS
@@ -89,7 +97,7 @@ class ColdYieldOut(ResponseModel):
     )
 
 
-class CrankPlanetaryResponse(JudgedResponse):
+class CrankPlanetaryResponse(JudgedResponse, DocumentResponse):
     """One section for each that was requested, and the verdict."""
 
     model: ForcesUsed = forces_used()

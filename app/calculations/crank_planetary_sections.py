@@ -3,15 +3,14 @@
 import math
 from collections.abc import Callable, Iterator
 from functools import cached_property, partial
-from typing import Any, Literal, Self, get_args
+from typing import Any, ClassVar, Literal, Self, get_args
 
 import numpy as np
 from pydantic import Field, model_validator
 
-from app.calculations.both_meshes import DesignCouplingFields, RingTurnOut
+from app.calculations.both_meshes import RingTurnOut
 from app.calculations.checks import (
     FixesFor,
-    ScopedRequirementsFields,
     codes_to_fix,
     fix_values,
     judgement,
@@ -24,28 +23,23 @@ from app.calculations.crank_planetary_answer import (
     LoadSharingOut,
 )
 from app.calculations.crankshaft import CrankshaftResponse
-from app.calculations.design import DesignFields, SatelliteBodyFields, TemperaturesFields
 from app.calculations.design_mesh import drawing_of, mesh_of
-from app.calculations.fatigue import PinFatigueFields
+from app.calculations.document import TORQUE, TOUCHING, DocumentFields, Needs, StrengthFields
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import entry_of
 from app.calculations.ideal_forces import (
     ContactForceResponse,
-    CyclogramFields,
     CyclogramResponse,
     ForceCurvesOut,
 )
 from app.calculations.load_sharing_answer import RealCyclogramOut
 from app.calculations.mechanism import MAX_PAIRS, FitOut
 from app.calculations.members_answer import MembersOut, at_output
-from app.calculations.output_efficiency import FrictionFields, OutputEfficiencyResponse
+from app.calculations.output_efficiency import OutputEfficiencyResponse
 from app.calculations.pin_rollers_answer import RollersOut
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.reducer_fixes import fixes_of
-from app.calculations.ring import RING_PIN_LISTS, RingFields
 from app.calculations.satellite_bearing import (
-    BearingFields,
-    CrankshaftFields,
     SatelliteBearingResponse,
 )
 from app.calculations.shares_answer import SharesOut, shares_warnings
@@ -76,14 +70,13 @@ from core.checks.usual_modification import (
 )
 from core.design.crank_results import MOST_BEARING_PAIRS
 from core.design.real_forces import RealForces
-from core.design.results import MOST_IN_SERIES, MOST_PIN_PAIRS, Results
+from core.design.results import MOST_IN_SERIES, MOST_PIN_PAIRS
 from core.errors import CalculationError, Notice, if_known, is_known
 from core.fixes.crank import possible
 from core.fixes.fix import Fix
 from core.materials import NOT_LISTED
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
-from core.output.elasticity import RingInSeries
-from core.output.mechanism import Mechanism, PinGeometry, pin_fit, pin_geometry
+from core.output.mechanism import Mechanism, PinGeometry, pin_geometry
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
 from core.output.turn import Turn
 from core.ring.series_turn import SeriesOverTurn
@@ -118,7 +111,7 @@ _TOUCHING = ("load", "contact")
 _MESHING = ("load", "contact/eccentricity_mm", "gear/modification")
 _TURNING = (*_TOUCHING, "load/input_speed_rpm", "contact/eccentricity_mm")
 
-NEEDS: dict[Section, tuple[str, ...]] = {
+NEEDS_OF: dict[Section, Needs] = {
     "cyclogram": (),
     "members": ("load",),
     "contact_force": ("load",),
@@ -180,39 +173,28 @@ MOST_PAIRS: dict[Section, int] = {
 """Largest number of pairs that each section is calculated for."""
 
 
-class _UsualCoupling:
-    """Coupling of a design without a stated one: both meshes in series, if they are known."""
+class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
+    """Design document of the reducer, and the sections of the answer that are wanted.
 
-    def section(self, _: Any = None) -> RingInSeries:
-        """The coupling in SI units."""
-        return RingInSeries()
-
-
-class CrankPlanetaryRequest(DesignFields, group="mechanism"):
-    """Mechanism, load and contact, and the sections of the answer that are wanted.
-
-    Judged forces are those of `DesignFields`, with one exception: perfect parts whose pins bend are
-    solved too, without clearance, unless a `distribution_factor` above 1 states the uneven sharing.
-    Both meshes are solved in series for cycloid discs of known modification with a known clearance
-    of the pins, unless `satellite_coupling` says otherwise. Discs on bearings stated by
-    `crank_support` float.
+    Judged forces are ideal, or those of the mechanism as it is made if clearance, deviations, a
+    contact law or elastic satellites are given; perfect parts whose pins bend are solved too,
+    without clearance, unless a `distribution_factor` above 1 states the uneven sharing. Discs on
+    bearings stated by `crank_support` float.
     """
 
-    mechanism: CyclogramFields
-    satellite_coupling: Maybe[DesignCouplingFields] = None
-    fatigue: Maybe[PinFatigueFields] = None
-    friction: Maybe[FrictionFields] = None
-    gear: Maybe[RingFields] = None
-    bearing: Maybe[BearingFields] = None
-    crankshaft: Maybe[CrankshaftFields] = None
-    satellite_body: Maybe[SatelliteBodyFields] = None
-    temperatures: Maybe[TemperaturesFields] = None
-    requirements: ScopedRequirementsFields = Field(default_factory=ScopedRequirementsFields)
+    NEEDS: ClassVar[Needs] = ("mechanism/pins",)
+    USES: ClassVar[frozenset[str]] = frozenset(DocumentFields.model_fields) - {"tolerances"}
+    NEEDED_OF: ClassVar[dict[str, Needs]] = {
+        "load": TORQUE,
+        "contact": TOUCHING,
+        "pin": ("pin/satellite_positions_mm",),
+    }
+
     crank_angle_deg: Angle = quantity("Crank angle", "φ", default=0.0, step=5, advanced=True)
     """Crank angle at which the section `geometry` is calculated."""
     include: Maybe[list[Section]] = Field(
         min_length=1,
-        max_length=len(NEEDS),
+        max_length=len(SECTIONS),
         description="Sections of the answer: what is not named is not computed, nor the verdict "
         "without checks, largest_torque, fixes or combined. Where it is absent: the verdict and "
         "all but real_cyclogram, geometry, usual_fit, usual_modification, checks, largest_torque, "
@@ -231,43 +213,21 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     def _parts_for_sections(self) -> Self:
         for section in self.include or ():
             for part in self._needs(section):
-                if not self._has(part):
+                if not self.has(part):
                     raise field_error(part, "needed_for", section=section)
-        return self
-
-    @model_validator(mode="after")
-    def _ring_in_series(self) -> Self:
-        coupling = self.satellite_coupling
-        if coupling is None or coupling.kind != "ring":
-            return self
-        if self.gear is None:
-            raise field_error("gear", "needed_beside", field="satellite_coupling")
-        if self.gear.kind != "cycloid":
-            raise field_error("gear/kind", "outside_method")
         return self
 
     def _needs(self, section: Section) -> tuple[str, ...]:
         """Needs of a section of the answer; involute teeth need their profile shifts too."""
         teeth = section in ("ring_mesh", "ring_drawing") and self.ring_kind == "involute"
-        return INVOLUTE_NEEDS if teeth else NEEDS[section]
-
-    def _has(self, part: str) -> bool:
-        """True if a section or field of the request is given; rollers have friction."""
-        return self.says(part) or (part == "friction" and self.says("rollers"))
+        return INVOLUTE_NEEDS if teeth else NEEDS_OF[section]
 
     def notices(self) -> tuple[Notice, ...]:
-        """Notices, also of an unknown clearance that is not stated to be none."""
-        found = (*super().notices(), *self._of_ring())
-        if self.contact is None or not self.contact.clearance_unknown:
-            return found  # a missing eccentricity is reported already
-        perfect = (each for each in found if each.code != "perfect_parts")
-        return (Notice("clearance_unknown"), *perfect)
-
-    def _of_ring(self) -> Iterator[Notice]:
-        """Unknown values of a ring whose mesh is judged."""
-        listed = any(self.says(f"deviations/{name}") for name in RING_PIN_LISTS)
-        if self.says("gear/modification") and not listed:
-            yield Notice("ring_deviations_unknown")
+        """Notices, also of unknown deviations of a ring whose mesh is judged."""
+        found = super().notices()
+        if self.says("gear/modification") and not self.lists_ring_pins:
+            found += (Notice("ring_deviations_unknown"),)
+        return found
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Assumed values, the most important first, with yield values of plastics from sources,
@@ -310,9 +270,10 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         include, given = self.include or (), self.given.keys()
         cranked = not given.isdisjoint(("bearing", "crankshaft"))
         searches = "pin" in given or (cranked and "gear" in given)
-        solves = self.as_made or not SOLVED.isdisjoint(include)
+        solves = not SOLVED.isdisjoint(include)
         solves |= self.says("gear/modification") or self.says("requirements/max_lost_motion_arcmin")
         loaded = given >= {"load", "contact"}
+        solves = solves or (loaded and not searches and not self.ideal)
         if SEARCHED & {*include} or (loaded and (searches or solves)):
             return math.inf
         if self.load is None:
@@ -334,7 +295,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         usual: tuple[Section, ...] = ("cyclogram", "contact_force", "hertz", *STRENGTH)
         if self.mechanism.output != "pins":
             usual = ("members", *usual)
-        allowed = [each for each in usual if all(map(self._has, NEEDS[each]))]
+        allowed = [each for each in usual if all(map(self.has, NEEDS_OF[each]))]
         allowed = [
             each for each in allowed if self.mechanism.pairs <= MOST_PAIRS.get(each, MAX_PAIRS)
         ]
@@ -349,7 +310,7 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
     @property
     def _draws_ring(self) -> bool:
         """True if the ring mesh is answered without being named, as it can be solved."""
-        given, found = all(map(self._has, self._needs("ring_mesh"))), self.results
+        given, found = all(map(self.has, self._needs("ring_mesh"))), self.results
         if self.ring_kind == "involute":
             return given and is_known(lambda: found.ring.involute_load(1.0))
         return given and is_known(lambda: found.ring.working)
@@ -364,22 +325,6 @@ class CrankPlanetaryRequest(DesignFields, group="mechanism"):
         super().refuse_beyond(settings)
         if self.load:
             self.load.refuse_beyond(settings)
-
-    @cached_property
-    def results(self) -> Results:
-        """Results of the design."""
-        return Results(self.design)
-
-    def parts(self) -> dict[str, Any]:
-        """Sections of the design: no pins without a contact that loads them, and both meshes in
-        series if nothing else is stated of the satellites.
-        """
-        given = super().parts()
-        if "contact" not in given:
-            given.pop("pin", None)
-        if "gear" in given:
-            given.setdefault("satellite_coupling", _UsualCoupling())
-        return given
 
     @cached_property
     def verdict(self) -> Verdict:
@@ -536,9 +481,15 @@ def _pins_and_holes(body: CrankPlanetaryRequest) -> tuple[PinGeometry, FloatArra
     """Pins and holes at the crank angle, and the force of each pair there, N."""
     load = body.known_load
     crank_angle = to_si("crank_angle_deg", body.crank_angle_deg)
-    sizes = body.given["contact"].sizes_on(load.pin_circle_radius_mm)
-    sizes["eccentricity"] = pin_fit(pins=body.mechanism.pins, **sizes).eccentricity
-    geometry = pin_geometry(mechanism=body.built, crank_angle=crank_angle, **sizes)
+    pair, radius = body.design.nominal_pair, body.design.pin_circle_radius
+    geometry = pin_geometry(
+        mechanism=body.built,
+        crank_angle=crank_angle,
+        pin_radius=pair.pin_radius,
+        hole_radius=pair.hole_radius,
+        eccentricity=body.solve_fit().eccentricity,
+        pin_circle_radius=radius,
+    )
     if not body.results.solved:
         forces = load.forces_at(body.design.driven, body.design.members, crank_angle)
     else:
@@ -597,7 +548,7 @@ def _judged(body: CrankPlanetaryRequest) -> Values:
     values |= judgement(
         found,
         body,
-        torque=body.design.load.output_torque if body.design.load else 0.0,
+        torque=body.design.output_torque if body.design.load else 0.0,
         checks="checks" in body.sections,
         largest=body.asks_largest,
     )

@@ -1,20 +1,29 @@
 """Reactions and balance of the crankshaft: request, answer, figure."""
 
 import math
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
-from app.calculations.design import ForcesUsed, forces_used
-from app.calculations.satellite_bearing import CrankedRequest, CrankshaftFields
+from app.calculations.document import (
+    FORCES,
+    PIN_SECTIONS,
+    TOUCHING,
+    TURNING,
+    ForcesUsed,
+    Needs,
+    StrengthFields,
+    forces_used,
+)
 from app.model import (
     AccuracyOut,
-    AssumingResponse,
     Calculation,
+    DocumentResponse,
     Maybe,
     ResponseModel,
     Values,
     WarningOut,
+    WorkedFields,
     result,
     timed,
 )
@@ -28,10 +37,14 @@ from core.worked.crank import shaft_steps
 from core.worked.step import Step
 
 
-class CrankshaftRequest(CrankedRequest):
-    """Mechanism, load, crank, ring and shaft."""
+class CrankshaftRequest(StrengthFields, WorkedFields):
+    """Design document with a load, crank, ring and crankshaft; pins and holes if the forces follow
+    from them too.
+    """
 
-    crankshaft: CrankshaftFields
+    NEEDS: ClassVar[Needs] = (*TURNING, "gear", "crankshaft")
+    NEEDED_OF: ClassVar[dict[str, Needs]] = dict.fromkeys(PIN_SECTIONS, TOUCHING)
+    USES: ClassVar[frozenset[str]] = FORCES | {"bearing", "crankshaft", "requirements"}
 
     def cost(self) -> float:
         """Infinite, as the loads of the bearings are searched over the turn."""
@@ -92,7 +105,7 @@ class BalanceOut(ResponseModel):
     corrections: list[CorrectionOut]
 
 
-class CrankshaftResponse(AssumingResponse):
+class CrankshaftResponse(DocumentResponse):
     """Reactions of the shaft's bearings, and its balance."""
 
     forces: ForcesUsed = forces_used()

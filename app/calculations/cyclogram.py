@@ -10,11 +10,14 @@ from app.model import (
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
 from app.theme import IDEAL, INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
 from app.worked import worked
+from core.design.sections import MechanismSection
 from core.worked.mechanism import cyclogram_steps
 from core.worked.step import Step
 
 
-class CyclogramRequest(CyclogramFields, WorkedFields):
+class CyclogramRequest(
+    WorkedFields, CyclogramFields, of=MechanismSection, needs=("pins",), group="mechanism"
+):
     """Mechanism, range of its cyclogram, and optional worked steps."""
 
     def steps(self) -> list[Step]:

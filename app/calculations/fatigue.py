@@ -1,6 +1,6 @@
 """Fatigue of a part: basis of its strength, and stress cycle."""
 
-from app.document import SectionFields
+from app.fields import SectionFields
 from app.model import Maybe, ResponseModel, result
 from core.design.sections import FatigueBasis
 

@@ -1,17 +1,12 @@
 """Geometric fit of pins in holes, and freedom to turn: request, answer, figure."""
 
 from functools import cached_property
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from pydantic import Field
 
-from app.calculations.contact_law import law_by_materials
-from app.calculations.design import (
-    CrankSupportFields,
-    DeviationsFields,
-    RealContactFields,
-)
+from app.calculations.document import TOUCHING, DocumentFields, Needs
 from app.calculations.fit_answer import (
     DiscOut,
     ElasticOut,
@@ -19,15 +14,10 @@ from app.calculations.fit_answer import (
     FitResponse,
     WholeFitOut,
 )
-from app.calculations.ideal_forces import pin_circle_radius
-from app.calculations.mechanism import MechanismFields, PinContactFields
 from app.calculations.members_answer import at_output
 from app.model import (
     Angle,
     Calculation,
-    Maybe,
-    RequestModel,
-    Size,
     Values,
     accuracy_values,
     quantity,
@@ -40,11 +30,10 @@ from app.theme import INK, Amount, Figure, Text, Theme, axis, curve, layout, mar
 from app.units import from_si, to_si
 from app.worked import stated
 from core.arrays import FloatArray
+from core.design.document import Design
+from core.design.results import Results
 from core.errors import Accuracy, InvalidInput, Notice
-from core.output.elasticity import RIGID_SUPPORT
-from core.output.fit import Fit
-from core.output.mechanism import SLIPPED, Mechanism, slip_notices
-from core.output.real_mechanism import RealMechanism
+from core.output.mechanism import slip_notices
 from core.output.room import POSITIONS, Rooms
 from core.precision import ROUNDING
 
@@ -67,20 +56,14 @@ LEFT_OUT = ("bodies_rigid", "friction", "heat", "pin_bending", "shaft_bearings",
 """Effects that the model leaves out."""
 
 
-class PinCircleFields(RequestModel, group="load"):
-    """Pin circle; no load is needed."""
+class FitRequest(DocumentFields, group="positions"):
+    """Design document with pins in holes, and the results that are wanted; no load is needed."""
 
-    pin_circle_radius_mm: Size = pin_circle_radius()
+    NEEDS: ClassVar[Needs] = ("mechanism/pins", "load/pin_circle_radius_mm", *TOUCHING)
+    USES: ClassVar[frozenset[str]] = frozenset(
+        ("mechanism", "load", "contact", "contact_law", "deviations", "crank_support")
+    )
 
-
-class FitRequest(RequestModel, group="positions"):
-    """Mechanism and contact as the parts are made, and the results that are wanted."""
-
-    mechanism: MechanismFields
-    load: PinCircleFields
-    contact: RealContactFields
-    deviations: DeviationsFields = Field(default_factory=DeviationsFields)
-    crank_support: Maybe[CrankSupportFields] = None
     crank_angle_deg: list[Angle] = quantity(
         "Crank angles", "φ", default=[0.0], min_length=1, max_length=MAX_POSITIONS
     )
@@ -95,7 +78,6 @@ class FitRequest(RequestModel, group="positions"):
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse inputs beyond the operator's limits or too slow, and lists of other lengths."""
-        self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
         limit = MAX_FIT_PAIRS
         if "positions" in self.include:
@@ -103,36 +85,21 @@ class FitRequest(RequestModel, group="positions"):
         if self.mechanism.pairs > limit:
             most = self.mechanism.most_pins(limit)
             raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
-        self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
 
     @cached_property
-    def built(self) -> Mechanism:
-        """Mechanism, built once."""
-        return self.mechanism.mechanism()
-
-    def fit(self) -> Fit:
-        """Pins in their holes, in SI units."""
-        given = self.crank_support
-        support = RIGID_SUPPORT if given is None else given.section()
-        real = RealMechanism(
-            mechanism=self.built,
-            pin_circle_radius=to_si("radius_mm", self.load.pin_circle_radius_mm),
-            **self.contact.sizes(),
-            law=law_by_materials(self.contact),
-            deviations=self.deviations.section(),
-            support=support,
-        )
-        return Fit(real.rooms, real)
+    def results(self) -> Results:
+        """Results of the design, for any number of pairs within the limit here."""
+        return Results(self.design, bounded=False)
 
     def rooms_to_draw(self) -> Rooms:
         """Geometry of pins in holes, for the figure; each hole has to hold its pin."""
-        rooms = self.fit().rooms
+        rooms = self.results.rooms
         rooms.refuse_without_bound()
         return rooms
 
     def solve_all(self) -> tuple[Values, Accuracy, tuple[Notice, ...]]:
         """Requested values, with their accuracy and notices."""
-        fit, members = self.fit(), self.mechanism.members
+        fit, members = self.results.fit, self.members
         rooms = fit.rooms
         values: Values = {"fit": at_output(WholeFitOut.values(rooms), members)}
         bound = rooms.state != "no_bound"
@@ -146,16 +113,17 @@ class FitRequest(RequestModel, group="positions"):
         if "positions" in asked:
             angles = np.array(to_si("crank_angle_deg", self.crank_angle_deg))
             values["positions"] = FitPositionOut.all_values(rooms, members, angles)
-        notices = fit_notices(self.contact, self.load.pin_circle_radius_mm, rooms)
-        return values, room_accuracy(rooms), notices
+        return values, room_accuracy(rooms), fit_notices(self.design, rooms)
 
 
-def fit_notices(
-    contact: PinContactFields, pin_circle_radius_mm: float, rooms: Rooms
-) -> tuple[Notice, ...]:
+def fit_notices(design: Design, rooms: Rooms) -> tuple[Notice, ...]:
     """Notices of sizes that look mistyped, and of satellites assembled by other holes."""
-    sizes = contact.sizes_on(pin_circle_radius_mm)
-    slips = slip_notices(**{name: sizes[name] for name in SLIPPED})
+    pair = design.nominal_pair
+    slips = slip_notices(
+        pin_radius=pair.pin_radius,
+        hole_radius=pair.hole_radius,
+        eccentricity=design.contact.eccentricity,
+    )
     return (*slips, *((Notice("next_hole"),) if any(rooms.numbered[1]) else ()))
 
 

@@ -6,7 +6,7 @@ from typing import Any, Literal
 from app.calculations.mechanism import FitOut
 from app.model import (
     AccuracyOut,
-    AssumingResponse,
+    DocumentResponse,
     Maybe,
     ResponseModel,
     Values,
@@ -156,7 +156,7 @@ def _arc(low: float, high: float) -> list[float]:
     return [from_si("lag_arcmin", each) for each in ends]
 
 
-class FitResponse(AssumingResponse):
+class FitResponse(DocumentResponse):
     """Fit of pins in holes, freedom to turn, and the room that is left."""
 
     fit: WholeFitOut = result("Fit of the pins in their holes.")

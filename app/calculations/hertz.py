@@ -2,7 +2,7 @@
 
 from collections.abc import Collection
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import (
@@ -16,7 +16,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from app.document import JSON_FORMS, JsonForm
+from app.fields import JSON_FORMS, JsonForm, SectionFields
 from app.model import (
     UNION_TAGS,
     AccuracyOut,
@@ -44,6 +44,7 @@ from app.units import from_si, to_si
 from app.worked import worked
 from core.arrays import FloatArray
 from core.contact_life import CURVES, LifeCurve
+from core.design.contact import Contact
 from core.errors import Notice, if_known
 from core.hertz import (
     LIMIT_SOURCES,
@@ -208,61 +209,21 @@ UNION_TAGS.update(("by_name", "by_values"))
 JSON_FORMS[ElasticMaterial] = JsonForm(Material, material_of)
 
 
-contact_length = partial(
-    quantity,
-    "Contact length",
-    "b",
-    step=1,
-    help="Length of the contact along the pin, which is the width of the satellite.",
-)
-pin_radius = partial(
-    quantity, "Pin radius", "r_in", step=0.5, help="Radius of the pin, or of its sleeve."
-)
-hole_radius = partial(
-    quantity,
-    "Hole radius",
-    "r_out",
-    step=0.5,
-    help="Radius of the hole in the satellite: pin radius + eccentricity.",
-)
-eccentricity = partial(
-    quantity,
-    "Eccentricity",
-    "e",
-    step=0.5,
-    help="Eccentricity of the cranks; the default, where there is one, is hole radius − pin "
-    "radius.",
-)
-distribution_factor = partial(
-    quantity,
-    "Distribution factor",
-    "K_α",
-    default=1.0,
-    step=0.05,
-    help="Factor on the largest force for uneven sharing between satellites or pins, in all "
-    "results of that force. Torque, loss and efficiency follow from all forces together.",
-)
-"""Fields that are optional or have other limits in some requests."""
-
-
 def of_load_factor(factor: float | None) -> tuple[Notice, ...]:
     """Notice of a load factor below 1, which reduces the load."""
     return (Notice("load_factor_below_one", {"factor": factor}),) if (factor or 1.0) < 1 else ()
 
 
-class ContactFields(RequestModel, group="contact"):
-    """Pin and hole: sizes, materials, load factors."""
+class ContactFields(
+    SectionFields,
+    of=Contact,
+    only=("contact_length", "pin_radius", "hole_radius", "pin_material", "hole_material"),
+    group="contact",
+):
+    """Pin and hole: sizes and materials."""
 
-    contact_length_mm: Size = contact_length()
-    pin_radius_mm: Size = pin_radius()
-    hole_radius_mm: Size = hole_radius()
-    pin_material: Material = quantity("Pin material", default="steel_bearing")
-    """Name in the table of materials, or values."""
-    hole_material: Material = quantity("Hole material", default="steel_through_hardened")
-    """Name in the table of materials, or values."""
-    dynamic_factor: Size = quantity("Application factor", "K_A", default=1.0, step=0.05)
-    """Factor on the force for the dynamic load."""
-    distribution_factor: Size = distribution_factor()
+    pin_material: Material = "steel_bearing"
+    hole_material: Material = "steel_through_hardened"
 
     ASSUMED: ClassVar[tuple[str, ...]] = ("pin_material", "hole_material")
 
@@ -271,10 +232,6 @@ class ContactFields(RequestModel, group="contact"):
         bodies = (("pin", self.pin_material), ("hole", self.hole_material))
         limits = present({body: material_of(given).limit for body, given in bodies})
         return [(body, float(limit.pressure)) for body, limit in limits.items()]
-
-    def notices(self) -> tuple[Notice, ...]:
-        """Notices, also of a dynamic factor below 1."""
-        return super().notices() + of_load_factor(self.dynamic_factor)
 
     def material_notices(self) -> tuple[Notice, ...]:
         """Notices of values that the name of a material leaves open."""
@@ -290,13 +247,27 @@ MAX_FORCE_N = 1e50
 some 1e12 times larger are refused as dead centres."""
 
 
-class HertzRequest(ContactFields, WorkedFields, group="contact"):
+class HertzRequest(
+    WorkedFields,
+    ContactFields,
+    of=Contact,
+    only=("contact_length", "pin_radius", "hole_radius", "distribution_factor"),
+    needs=("contact_length", "pin_radius", "hole_radius"),
+    group="contact",
+):
     """Pin, hole and the force between them."""
 
+    dynamic_factor: Size = quantity("Application factor", "K_A", default=1.0, step=0.05)
+    """Factor on the force for the dynamic load."""
+    distribution_factor: Size = 1.0
     force_N: float = quantity("Contact force", "F", step=100, ge=0, le=MAX_FORCE_N)
     """Force between pin and hole."""
 
     _force_size = field_validator("force_N")(no_dust)
+
+    def notices(self) -> tuple[Notice, ...]:
+        """Notices, also of a dynamic factor below 1."""
+        return super().notices() + of_load_factor(self.dynamic_factor)
 
     def cost(self) -> float:
         """Nearly 0, as one contact takes a few formulas."""

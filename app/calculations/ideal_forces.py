@@ -2,13 +2,13 @@
 
 import math
 from dataclasses import replace
-from functools import partial
 from typing import Any, ClassVar, Literal
 
 import numpy as np
 from pydantic import Field
 
 from app.calculations.mechanism import MechanismFields, PairOut
+from app.fields import SectionFields
 from app.model import (
     AccuracyOut,
     AssumingResponse,
@@ -26,7 +26,8 @@ from app.rules import Forms
 from app.settings import Settings
 from app.units import UNITS, from_si, rounded, to_si
 from core.arrays import FloatArray
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.design.sections import Load
+from core.errors import ImpossibleMechanism, InvalidInput, required
 from core.output.contact_force import (
     ContactForce,
     Cyclogram,
@@ -201,51 +202,23 @@ class CyclogramResponse(AssumingResponse):
         )
 
 
-application_factor = partial(
-    quantity,
-    "Application factor",
-    "K_A",
-    step=0.05,
-    help="Factor on the torque for stresses and pressures, not for losses, wear and the life of "
-    "bearings; 1 where not given.",
-)
-
-pin_circle_radius = partial(
-    quantity,
-    "Pin circle radius",
-    "R",
-    step=1,
-    help="Radius of the circle of pin centres.",
-)
-
-peak_torque = partial(
-    quantity,
-    "Peak torque",
-    "T_max",
-    step=10,
-    help="Largest torque, for static strength, at least the torque times the application factor, "
-    "which is also the default.",
-)
-
-
-class TorqueFields(RequestModel, group="load"):
+class TorqueFields(
+    SectionFields,
+    of=Load,
+    only=("output_torque", "pin_circle_radius", "force_exponent"),
+    group="load",
+):
     """Torque, lever and load sharing of the pins."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
-        (("output_torque_Nm",), ("input_torque_Nm", "efficiency")),
+        (("output_torque_Nm",), ("input_torque_Nm", "efficiency"), ()),
     )
 
-    output_torque_Nm: Maybe[Size] = quantity("Output torque", "T", step=10)
-    """Torque of the output; the torque on the pins if ring and pins are both outputs."""
     input_torque_Nm: Maybe[Size] = quantity("Input torque", "T₁", step=1)
     """Torque on the crankshaft, from which T = T₁·i·η follows; i is u, or u + 1 if the ring is the
     output."""
     efficiency: Maybe[float] = quantity("Efficiency", "η", step=0.01, ge=1e-3, le=1)
     """Efficiency of the reducer, needed with the input torque."""
-    pin_circle_radius_mm: Size = pin_circle_radius()
-    force_exponent: float = quantity("Force exponent", "v", default=1.0, step=0.1, ge=0, le=1e6)
-    """Exponent v in force ∝ approach^v: 0 for equal sharing, 1 for linear contacts, 10/9 and 3/2
-    for the usual contact laws."""
 
     def force_given(self, members: Members) -> dict[str, Any]:
         """Load as the worked steps of the force take it."""
@@ -265,21 +238,21 @@ class TorqueFields(RequestModel, group="load"):
                 return torque, efficiency
         return None
 
-    def torque(self, members: Members) -> float:
-        """Torque of the output, N*m."""
+    def torque(self, members: Members) -> float | None:
+        """Torque of the output, N*m; None if it is not given."""
         match self.given:
             case {"output_torque_Nm": torque}:
                 return float(torque)
-            case given:
+            case {"input_torque_Nm": torque, "efficiency": efficiency}:
                 return output_torque_from_input(
-                    input_torque=given["input_torque_Nm"],
-                    ratio=members.torque_ratio,
-                    efficiency=given["efficiency"],
+                    input_torque=torque, ratio=members.torque_ratio, efficiency=efficiency
                 )
+        return None
 
     def pin_torque(self, members: Members) -> float:
         """Torque on the pins, N*m."""
-        return self.torque(members) * members.pin_share
+        torque = required(self.torque(members), "size_missing", "load.output_torque")
+        return torque * members.pin_share
 
 
 class CurveFields(RequestModel, group="load"):

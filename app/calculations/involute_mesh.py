@@ -1,12 +1,10 @@
 """Involute satellite in its ring: fields of the pair in a request, and its answer."""
 
-from typing import Any, ClassVar, Literal
+from typing import Any
 
 import numpy as np
 
-from app.calculations.hertz import Material
 from app.calculations.involute_teeth import (
-    RING_MATERIAL,
     InvoluteGeometryOut,
     InvoluteStressesOut,
     RootStressOut,
@@ -14,9 +12,7 @@ from app.calculations.involute_teeth import (
 from app.calculations.ring_mesh_answer import RingEfficiencyOut, SharedPairsOut
 from app.calculations.ring_mesh_figure import DrawnPath
 from app.calculations.solved import Solved
-from app.document import SectionFields
-from app.model import Maybe, Values, quantity
-from app.rules import Forms
+from app.model import Values
 from core.design.ring import InvoluteRing
 from core.errors import Notice, NotKnown
 from core.ring.involute import InvolutePair
@@ -29,38 +25,6 @@ DRAWN_PLACES = 201
 LEAST_DRAWN = 0.02
 """Least roll angle in the figure over the largest, as the pressure is infinite at the base
 circle."""
-
-
-class InvoluteRingFields(
-    SectionFields,
-    of=InvoluteRing,
-    without=("teeth_difference", "root_strength"),
-    needs=("satellite_profile_shift", "ring_profile_shift", "contact_length"),
-    group="gear",
-):
-    """Involute teeth of satellite and ring, and inputs of their stresses."""
-
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
-        (("satellite_addendum",), ("satellite_tip_radius_mm",)),
-        (("ring_addendum",), ("ring_tip_radius_mm",)),
-    )
-
-    ASSUMED: ClassVar[tuple[str, ...]] = ("satellite_material", "ring_material")
-
-    kind: Literal["involute"] = quantity("Ring")
-    """Ring with involute teeth."""
-    reference_pressure_angle_deg: float = quantity(
-        "Reference pressure angle", "α", default=20.0, step=0.5, ge=14.5, le=30
-    )
-    """Pressure angle of the teeth at the reference circle."""
-    satellite_material: Material = quantity("Satellite material", default=RING_MATERIAL)
-    """Name in the table of materials, or values."""
-    ring_material: Material = quantity("Ring material", default=RING_MATERIAL)
-    """Name in the table of materials, or values."""
-    friction_coefficient: Maybe[float] = quantity(
-        "Friction coefficient", "μ", step=0.01, ge=0, le=1
-    )
-    """Friction coefficient of the flanks; without it the loss is not calculated."""
 
 
 def solved_pair(

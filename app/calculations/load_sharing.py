@@ -2,18 +2,13 @@
 
 import math
 from dataclasses import replace
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from pydantic import Field
 
-from app.calculations.both_meshes import (
-    MAX_FORCES_IN_SERIES,
-    MAX_TURN_IN_SERIES,
-    RingTurnOut,
-    SeriesFields,
-    ring_values,
-)
+from app.calculations.both_meshes import RingTurnOut, ring_values
+from app.calculations.document import FORCES, LOADED, TOUCHING, Needs
 from app.calculations.fit import fit_notices
 from app.calculations.ideal_forces import CurveFields
 from app.calculations.load_sharing_answer import (
@@ -26,15 +21,15 @@ from app.calculations.load_sharing_answer import (
 from app.calculations.load_sharing_figure import Drawn, load_sharing_figure
 from app.calculations.mechanism import FitOut
 from app.calculations.members_answer import at_output
-from app.calculations.real_design import LEFT_OUT
 from app.calculations.solved import Solved
+from app.calculations.solved_design import LEFT_OUT, SolvedFields, lost_motion_torque_share
 from app.model import LARGEST, Angle, Calculation, Maybe, Values, quantity, timed
 from app.settings import Settings
 from app.sources import HARRIS, JOHNSON_1985, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
 from app.units import from_si, to_si
 from app.worked import stated
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.errors import ImpossibleMechanism
 from core.output.alternating import WorseTurn, worse_curves, worse_position
 from core.output.contact_force import drawing_angles, force_curves, force_peak
 from core.output.elasticity import law_kind
@@ -60,6 +55,12 @@ MAX_POSITIONS = 1000
 MAX_FORCES = 100_000
 """Largest number of forces of positions and of curves: angles times pairs."""
 
+MAX_FORCES_IN_SERIES = 25_000
+"""Largest number of forces of both meshes for positions and for curves: angles times pairs."""
+
+MAX_TURN_IN_SERIES = 250_000
+"""Largest number of forces of both meshes over all turns: angles times pairs."""
+
 SHARES = (-1.0, -0.75, -0.5, -0.25, -0.1, -0.05, -0.02, 0.02, 0.05, 0.1, 0.25, 0.5, 0.75, 1.0)
 """Shares of the torque at which the lag curve is drawn, and answered if none are given."""
 
@@ -71,9 +72,13 @@ DRAWN_SAMPLES, DRAWN_IN_SERIES = 361, 121
 Torque = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
 
-class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
-    """Mechanism, load and contact as the parts are made, and the results that are wanted."""
+class LoadSharingRequest(CurveFields, SolvedFields, group="positions"):
+    """Design document with a load and pins in holes, and the results that are wanted."""
 
+    NEEDS: ClassVar[Needs] = (*LOADED, *TOUCHING)
+    USES: ClassVar[frozenset[str]] = FORCES
+
+    lost_motion_torque_share: float = lost_motion_torque_share()
     crank_angle_deg: list[Angle] = quantity(
         "Crank angles", "φ", default=[0.0], min_length=1, max_length=MAX_POSITIONS
     )
@@ -94,10 +99,7 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse inputs beyond the operator's limits or too slow, and lists of other lengths."""
-        self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
-        pairs = self.mechanism.pairs
-        self.refuse_other_shares(self.mechanism.satellites)
         times = self.times_as_long * (2 if self.alternating else 1)
         forces = MAX_FORCES // times
         for section, limit in (
@@ -106,9 +108,8 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
             ("stiffness_curve", forces // len(self.torques)),
             ("curves", forces // self.samples),
         ):
-            if section in self.include and pairs > limit:
-                self._refuse_pairs(limit)
-        self.deviations.refuse_other_lengths(self.mechanism.pins, self.mechanism.satellites)
+            if section in self.include:
+                self.refuse_pairs(limit)
         if self.in_series:
             angles = {
                 "positions": len(self.crank_angle_deg),
@@ -118,13 +119,9 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
             most = max((angles[name] for name in self.include if name in angles), default=1)
             self.refuse_many_in_series(MAX_FORCES_IN_SERIES // times // most)
             if "over_turn" in self.include:
-                lobes = self.mechanism.satellite_teeth or 1
+                lobes = self.design.lobes
                 turns = positions_in_series(lobes=lobes, pitches=lobes * (lobes + 1))
                 self.refuse_many_in_series(MAX_TURN_IN_SERIES // times // turns)
-
-    def _refuse_pairs(self, limit: int) -> None:
-        most = self.mechanism.most_pins(limit)
-        raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **most)
 
     @property
     def torques(self) -> list[float]:
@@ -142,39 +139,30 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
     @property
     def alternating(self) -> bool:
         """True if both directions of the torque are requested."""
-        return self.load.torque_direction == "alternating"
+        return self.design.load.torque_direction == "alternating"
 
-    def real(self) -> RealMechanism:
-        """Mechanism as it is made, in SI units."""
-        return self.made(self.deviations.section())
-
-    def stage(self, real: RealMechanism) -> RealMechanism | MeshesInSeries:
-        """Stage that transmits the torque: the output mechanism, or both meshes."""
-        return self.in_ring(real) if self.in_series else real
-
-    def fit_of(self, real: RealMechanism) -> Fit:
+    @property
+    def fit(self) -> Fit:
         """Fit of the pins; a misfit that makes forces impossible is refused."""
-        rooms = self.rooms_in_ring(real) if self.in_series else None
-        return solvable(real=real, rooms=rooms)
+        return solvable(real=self.results.real, rooms=self.results.rooms)
 
     def solve_all(self) -> Solved:
         """Requested results."""
-        real = self.real()
-        fit = self.fit_of(real)
-        notices = fit_notices(self.contact, self.load.pin_circle_radius_mm, fit.rooms)
+        fit = self.fit
+        notices = fit_notices(self.design, fit.rooms)
         asked, solved = {*self.include} - {"worked"} or {"positions"}, Solved()
         solved.notices |= {each.code: each for each in notices}
         try:
-            self.solve_sections(real, asked, solved)
+            self.solve_sections(asked, solved)
         except ImpossibleMechanism as refusal:
             misfit = fit.rooms.room.least < 0 and not self.in_series
             raise (fit.refusal() if misfit else refusal) from refusal
         solved.values["fit"] = FitOut.values(fit.rooms)
         return solved
 
-    def solve_sections(self, real: RealMechanism, asked: set[Section], solved: Solved) -> None:
+    def solve_sections(self, asked: set[Section], solved: Solved) -> None:
         """Requested sections of the answer."""
-        pressed, stage = "pressure" in asked, self.stage(real)
+        pressed, real, stage = "pressure" in asked, self.results.real, self.results.stage
 
         def pressures(force: tuple[tuple[float, ...], ...]) -> Any:
             return from_si("pressure_MPa", real.pressures(force)) if pressed else None
@@ -232,7 +220,7 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
         return [
             {"satellite": j + 1, "pin": n + 1}
             for j in range(own.satellites)
-            for n in range(own.pins)
+            for n in range(self.design.pin_count)
         ]
 
     def position(
@@ -276,12 +264,11 @@ class LoadSharingRequest(CurveFields, SeriesFields, group="positions"):
 
     def solve_for_drawing(self) -> Drawn:
         """All values that the figure shows."""
-        real = self.real()
-        stage, samples = self.stage(real), DRAWN_SAMPLES
+        real, stage, samples = self.results.real, self.results.stage, DRAWN_SAMPLES
         if self.in_series:
             samples = DRAWN_IN_SERIES
             self.refuse_many_in_series(MAX_FORCES_IN_SERIES // (2 * samples))
-        self.fit_of(real)
+        assert self.fit  # refuses parts that cannot be put together
         angles, _ = drawing_angles(mechanism=self.built)
         curves, direction = self.curves(stage, float(angles[-1]), samples)
         hardest = [real.hardest(force.tolist()) for force in curves.force.T]

@@ -8,7 +8,7 @@ from app.calculations.ideal_forces import CountIntervalOut, Range
 from app.calculations.mechanism import FitOut, PairOut
 from app.model import (
     AccuracyOut,
-    AssumingResponse,
+    DocumentResponse,
     Maybe,
     ResponseModel,
     Values,
@@ -246,7 +246,7 @@ class IdealOut(ResponseModel):
     ratio: Maybe[float] = result("Real over ideal peak force, if the turn is requested.")
 
 
-class LoadSharingResponse(AssumingResponse):
+class LoadSharingResponse(DocumentResponse):
     """Requested results of the mechanism as it is made."""
 
     positions: Maybe[list[PositionOut]] = result("Results at the requested crank angles.")

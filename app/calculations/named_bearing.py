@@ -6,7 +6,7 @@ from typing import Any, Self
 
 from pydantic import model_validator
 
-from app.document import SectionFields
+from app.fields import SectionFields
 from app.model import RequestModel, present
 from app.rules import field_error
 from app.units import core_name, from_si

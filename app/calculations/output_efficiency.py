@@ -6,29 +6,26 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from app.calculations.design import (
-    DesignFields,
-    DrivenLoadFields,
+from app.calculations.document import (
+    FORCES,
+    TOUCHING,
+    TURNING,
     ForcesUsed,
-    SleevedPinFields,
+    Needs,
+    StrengthFields,
     forces_used,
 )
-from app.calculations.hertz import eccentricity
 from app.calculations.ideal_forces import CurveFields
-from app.calculations.mechanism import PinContactFields
-from app.document import SectionFields
 from app.model import (
     AccuracyOut,
-    AssumingResponse,
     Calculation,
+    DocumentResponse,
     Maybe,
     ResponseModel,
-    Size,
     Values,
     WarningOut,
     timed,
 )
-from app.rules import Forms
 from app.sources import ARCHARD_1953, WANG_2016, YANCHEVSKIY_2021
 from app.theme import (
     Amount,
@@ -45,39 +42,17 @@ from app.units import from_si
 from app.worked import worked
 from core.arrays import FloatArray
 from core.design.curves import design_losses
-from core.design.sections import Friction
 from core.output.losses import LossCurves, PinLosses
 from core.worked.losses import loss_steps
 from core.worked.step import Step
 
 
-class SlidingContactFields(PinContactFields, group="contact"):
-    """Pin, hole and crank, whose eccentricity is needed."""
+class OutputEfficiencyRequest(CurveFields, StrengthFields):
+    """Design document with a load, a contact, and friction or rollers."""
 
-    eccentricity_mm: Size = eccentricity()
+    NEEDS: ClassVar[Needs] = (*TURNING, *TOUCHING, "friction")
+    USES: ClassVar[frozenset[str]] = FORCES | {"friction", "requirements"}
 
-
-class FrictionFields(SectionFields, of=Friction, group="friction"):
-    """Friction and wear of pin and hole, or of pin and sleeve."""
-
-
-class WornFields(FrictionFields):
-    """Friction and wear of pin and hole, with the time that a wear rate needs."""
-
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("wear_rate_mm3_per_Nm", "life_h"), ()),)
-
-
-class OutputEfficiencyRequest(CurveFields, DesignFields):
-    """Mechanism, load, contact, and friction or rollers."""
-
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
-        (("friction",), ("rollers",), ("friction", "rollers")),
-    )
-
-    load: DrivenLoadFields
-    contact: SlidingContactFields
-    friction: Maybe[WornFields] = None
-    pin: Maybe[SleevedPinFields] = None
     include: list[Literal["curves", "worked"]] = Field(
         default=[],
         max_length=2,
@@ -132,7 +107,7 @@ class LossCurvesOut(ResponseModel):
     )
 
 
-class OutputEfficiencyResponse(AssumingResponse):
+class OutputEfficiencyResponse(DocumentResponse):
     """Sliding speed, loss, efficiency, pv and wear of the pins."""
 
     forces: ForcesUsed = forces_used()

@@ -1,21 +1,21 @@
 """Pin as a section of a design: beam and material."""
 
+from collections import ChainMap
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import partial
 from typing import Any, ClassVar
 
 from app.calculations.fatigue import STEEL_GPA
 from app.calculations.hertz import Material, MaterialFields, entry_of, material_of
-from app.calculations.mechanism import MAX_SATELLITES
-from app.model import Maybe, PartFields, RequestModel, Size, quantity
+from app.fields import SectionFields
+from app.model import Maybe, Size, quantity
 from app.rules import Forms, Kinds
 from app.units import from_si, to_si
-from core.errors import Notice
+from core.design.sections import DesignPin
+from core.errors import Notice, required
 from core.materials import NOT_LISTED
 from core.output.pin_beam import Support
 from core.output.pin_bolt import PinBolt, bolt_preload
-from core.output.tie_ring import RingJoint
 
 BOLT_MATERIAL = "steel_bolt"
 """Material of a bolt if none is given."""
@@ -43,26 +43,13 @@ def strengths_of(given: str | MaterialFields) -> dict[str, Any]:
     }
 
 
-class PinBoltFields(PartFields, group="pin"):
+class PinBoltFields(SectionFields, of=PinBolt, group="pin"):
     """Bolt through the pin, which is a spacer then."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("preload_N",), ("tightening_torque_Nm",), ()),)
 
-    core_diameter_mm: Size = quantity("Core of the bolt", "d_3", step=0.1)
-    """Core diameter of the bolt's thread: 2.46 mm for M3, 3.24 for M4, 4.13 for M5, 4.92 for M6,
-    6.65 for M8."""
-    preload_N: Maybe[Size] = quantity("Preload", "F_v", step=100)
-    """Preload of the bolt after tightening; without a preload the bolt alone counts as the pin."""
     tightening_torque_Nm: Maybe[Size] = quantity("Tightening torque", "T_A", step=0.5)
     """Tightening torque, given instead of the preload, which is T_A/(0.2·d)."""
-    preload_scatter: float = quantity(
-        "Scatter of the preload", "α_A", default=1.8, step=0.1, ge=1, le=10
-    )
-    """Largest over least preload by the way of tightening; 1.6 to 2 with a torque wrench."""
-    friction_coefficient: float = quantity(
-        "Friction on the carrier", "μ", default=0.15, step=0.01, ge=0.01, le=1
-    )
-    """Friction coefficient of the spacer on the carrier, which keeps the spacer from slipping."""
     bolt_material: Maybe[Material] = quantity("Material of the bolt")
     """Name in the table of materials, or values; steel of class 8.8 if not given."""
 
@@ -78,7 +65,7 @@ class PinBoltFields(PartFields, group="pin"):
             return ()
         return (Notice("nut_factor", {"preload": self.section().preload}),)
 
-    def section(self) -> PinBolt:
+    def section(self, around: Any = None) -> PinBolt:
         """The bolt in SI units."""
         own = self.to_core()
         if "tightening_torque" in own:
@@ -88,18 +75,8 @@ class PinBoltFields(PartFields, group="pin"):
         return PinBolt(**own)
 
 
-pin_places = partial(
-    quantity,
-    "Places of the satellites",
-    "z₁ … z_K",
-    min_length=1,
-    max_length=MAX_SATELLITES,
-    help="Middle plane of each satellite, from the face of the carrier.",
-)
-
-
-class HeldPinFields(RequestModel, group="pin"):
-    """Supports of the pins, and places where the satellites load them."""
+class PinFields(SectionFields, of=DesignPin, group="pin"):
+    """Pin with its support, bending and strength."""
 
     KIND: ClassVar[str] = "support"
 
@@ -110,14 +87,14 @@ class HeldPinFields(RequestModel, group="pin"):
         "tie_ring": (("span_mm",), ("ring_joint",)),
     }
 
-    satellite_positions_mm: list[Size] = pin_places()
-    support: Support = quantity("Support", default="cantilever")
-    """Support of the pin: one end fixed (cantilever), both ends free to tilt (supported), both ends
-    built in (fixed), or one end fixed and the other ends joined by a free ring (tie ring). The true
-    support of a cage lies between supported and fixed; a tie ring supports less."""
-    span_mm: Maybe[Size] = quantity("Span", "L", step=1)
-    """Distance between the two supports, or from the carrier to the middle of the tie ring; not for
-    a cantilever."""
-    ring_joint: Maybe[RingJoint] = quantity("Joint of the tie ring")
-    """Joint of the pins' ends to the tie ring: free to turn (pinned), which is the default, or
-    clamped."""
+    support: Support = "cantilever"
+
+    def section(self, around: Any = None) -> DesignPin:
+        """Pin in SI units; diameter and material not given come from the surrounding parts."""
+        own, surface = self.to_core(), ChainMap(*around.around_pins)
+        diameter = own.get("diameter", surface.get("diameter"))
+        material = self.material or surface.get("material")
+        places = {"satellite_positions": own.get("satellite_positions", ())}
+        given = {"diameter": required(diameter, "size_missing", "pin.diameter")}
+        strengths = strengths_of(required(material, "size_missing", "pin.material"))
+        return DesignPin(**own | places | given | strengths)

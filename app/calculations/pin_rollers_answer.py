@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from app.calculations.design import ForcesUsed, forces_used
+from app.calculations.document import ForcesUsed, forces_used
 from app.model import AccuracyOut, Maybe, ResponseModel, Values, WarningOut, result
 from core.design.results import RollersOnPins
 

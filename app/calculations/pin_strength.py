@@ -8,18 +8,20 @@ from typing import Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from app.calculations.design import (
-    DesignFields,
-    DesignLoadFields,
-    DesignPinFields,
+from app.calculations.document import (
+    FORCES,
+    LOADED,
+    TOUCHING,
     ForcesUsed,
+    Needs,
+    StrengthFields,
     forces_used,
 )
-from app.calculations.fatigue import FactorsOut, PinFatigueFields
+from app.calculations.fatigue import FactorsOut
 from app.model import (
     AccuracyOut,
-    AssumingResponse,
     Calculation,
+    DocumentResponse,
     Maybe,
     ResponseModel,
     Values,
@@ -40,29 +42,23 @@ from core.output.pin_strength import PinStrength
 from core.worked.pins import strength_steps
 from core.worked.step import Step
 
-ALONE = ("diameter_mm", "contact_length_mm", "material")
-"""Fields that a pin needs if there is no contact."""
-
-TOUCHING = ("contact_law", "deviations", "crank_support", "satellite_coupling")
-"""Sections that concern a contact."""
-
 BOUNDS: tuple[Support, ...] = ("supported", "fixed")
 """Supports between which the true support of a cage lies."""
 
 
-class PinStrengthRequest(DesignFields):
-    """Mechanism, load, pin and the basis of its fatigue strength; with a contact the forces follow
-    from it too.
+class PinStrengthRequest(StrengthFields):
+    """Design document with a load, a pin and the basis of its fatigue strength; with a contact the
+    forces follow from it too.
     """
 
-    BETWEEN: ClassVar[tuple[Rule, ...]] = (
-        *(Rule(f"pin/{name}", "needed", "contact") for name in ALONE),
-        *(Rule("contact", "needed_beside", section) for section in TOUCHING),
+    NEEDS: ClassVar[Needs] = (*LOADED, "pin", "pin/satellite_positions_mm")
+    NEEDED_OF: ClassVar[dict[str, Needs]] = {"contact": TOUCHING}
+    USES: ClassVar[frozenset[str]] = FORCES | {"fatigue", "requirements"}
+    BETWEEN: ClassVar[tuple[Rule, ...]] = tuple(
+        Rule(f"pin/{name}", "needed", "contact")
+        for name in ("diameter_mm", "contact_length_mm", "material")
     )
 
-    load: DesignLoadFields
-    pin: DesignPinFields
-    fatigue: Maybe[PinFatigueFields] = None
     include: list[Literal["deflection", "locus", "support_bounds", "worked"]] = Field(
         default=[],
         max_length=4,
@@ -71,9 +67,13 @@ class PinStrengthRequest(DesignFields):
 
     @model_validator(mode="after")
     def _span_of_bounds(self) -> Self:
-        if "support_bounds" in self.include and self.pin.span_mm is None:
+        if "support_bounds" in self.include and not self.says("pin/span_mm"):
             raise field_error("pin/span_mm", "needed_for", section="support_bounds")
         return self
+
+    def parts(self) -> dict[str, Any]:
+        """Sections of the design, with the pin even if no contact loads it."""
+        return super().parts() | {"pin": self.pin}
 
     def solve(self, *, locus: bool = False) -> PinStrength:
         """Strength of the pin."""
@@ -91,7 +91,7 @@ class PinStrengthRequest(DesignFields):
 
     def solve_held(self, support: Support) -> PinStrength:
         """Strength of the pin in other supports, under the forces with these supports."""
-        held = Results(changed(self.design, {"pin.support": support}), equal=True)
+        held = Results(changed(self.design, {"pin.support": support}))
         return held.pin_strength
 
     def bounds(self) -> Iterator[Values]:
@@ -246,7 +246,7 @@ class SupportBoundOut(PinStrengthOut):
     )
 
 
-class PinStrengthResponse(PinStrengthOut, AssumingResponse):
+class PinStrengthResponse(PinStrengthOut, DocumentResponse):
     """Bending, shear, static safety, fatigue and deflection of the pins."""
 
     BESIDE = ("support_bounds",)

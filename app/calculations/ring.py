@@ -8,12 +8,10 @@ from pydantic import model_validator
 from app.calculations.hertz import MaterialFields, material_of
 from app.calculations.involute_teeth import RING_MATERIAL
 from app.calculations.pin import strengths_of
-from app.document import SectionFields
+from app.fields import SectionFields
 from app.model import Maybe, present, quantity
-from app.problems import invalid_input, wrong
 from app.rules import field_error
 from core.design.ring import RINGS, Ring, RingKind
-from core.output.room import OF_RING_PINS, Deviations
 
 PIN_MATERIAL, DISC_MATERIAL = "steel_bearing", "steel_through_hardened"
 """Materials of ring pins and discs if they are not given."""
@@ -22,8 +20,16 @@ OF_SUPPORTS = ("span_mm", "satellite_positions_mm")
 """Fields of ring pins that bend."""
 
 
-class RingPinsFields(SectionFields):
-    """Ring pins and the cycloid discs on them, as far as they are given."""
+def _of_pins(material: str | MaterialFields) -> dict[str, Any]:
+    """Material of ring pins and its strengths, by the names of `CycloidRing`."""
+    held = strengths_of(material)
+    return {"pin_material": held.pop("material")} | {
+        f"pin_{name}": value for name, value in held.items()
+    }
+
+
+class RingFields(SectionFields, of=RINGS, group="gear"):
+    """Teeth or pins of the ring, or the ratio of its forces."""
 
     RULES: ClassVar[tuple[dict[str, Any], ...]] = (
         {
@@ -35,6 +41,10 @@ class RingPinsFields(SectionFields):
             "else": {"not": {"anyOf": [{"required": [name]} for name in OF_SUPPORTS]}},
         },
     )
+
+    kind: Maybe[RingKind] = quantity("Ring")
+    """Kind of ring: involute teeth, pins on which a cycloid disc rolls, or none, whose force along
+    the crank is left out."""
 
     @model_validator(mode="after")
     def _held(self) -> Self:
@@ -51,46 +61,6 @@ class RingPinsFields(SectionFields):
         """Given fields as the core's arguments, with the strengths of the pin material."""
         given = self.given.get("pin_material")
         return super().to_core() | ({} if given is None else _of_pins(given))
-
-
-def _of_pins(material: str | MaterialFields) -> dict[str, Any]:
-    """Material of ring pins and its strengths, by the names of `CycloidRing`."""
-    held = strengths_of(material)
-    return {"pin_material": held.pop("material")} | {
-        f"pin_{name}": value for name, value in held.items()
-    }
-
-
-class RingPinDeviationsFields(SectionFields, of=Deviations, only=OF_RING_PINS, group="deviations"):
-    """Deviations of ring pins from their nominal sizes."""
-
-    @property
-    def ring_lists(self) -> dict[str, list[float]]:
-        """Given lists by their field."""
-        given = {name: getattr(self, name) for name in RING_PIN_LISTS}
-        return {name: value for name, value in given.items() if value}
-
-    def refuse_other_ring(self, pins: int | None) -> None:
-        """Refuse lists without one value for each ring pin, if the number of pins is known."""
-        errors = [
-            wrong(f"/deviations/{name}", "different_length", expected=pins, actual=len(value))
-            for name, value in self.ring_lists.items()
-            if pins not in (None, len(value))
-        ]
-        if errors:
-            raise invalid_input(errors)
-
-
-RING_PIN_LISTS = tuple(RingPinDeviationsFields.model_fields)
-"""Fields with lists of ring pins."""
-
-
-class RingFields(RingPinsFields, of=RINGS, group="gear"):
-    """Teeth or pins of the ring, or the ratio of its forces."""
-
-    kind: Maybe[RingKind] = quantity("Ring")
-    """Kind of ring: involute teeth, pins on which a cycloid disc rolls, or none, whose force along
-    the crank is left out."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Assumed values, with the material of the ring if its mesh is judged."""

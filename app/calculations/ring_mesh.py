@@ -1,17 +1,18 @@
 """Mesh of satellites with ring pins or involute ring teeth: request and answer."""
 
+from collections.abc import Iterator
+from dataclasses import replace
 from functools import cached_property
-from typing import Annotated, Any, ClassVar, Literal, Self, get_args
+from typing import Any, ClassVar, Literal, Self, get_args
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import Field, model_validator
 
-from app.calculations.involute_mesh import (
-    InvoluteRingFields,
-    drawn_path,
-    pair_notices,
-    solved_pair,
-)
+from app.calculations.document import Needs
+from app.calculations.involute_mesh import drawn_path, pair_notices, solved_pair
+from app.calculations.involute_teeth import RING_MATERIAL
 from app.calculations.load_sharing_answer import StiffnessCurveOut
+from app.calculations.members_answer import at_output
+from app.calculations.ring import PIN_MATERIAL
 from app.calculations.ring_mesh_answer import (
     MeshPositionOut,
     MeshTurnOut,
@@ -22,21 +23,12 @@ from app.calculations.ring_mesh_answer import (
     RingMeshResponse,
 )
 from app.calculations.ring_mesh_figure import DrawnPath, ShownMesh, path_figure, ring_mesh_figure
-from app.calculations.ring_parts import (
-    CycloidRingFields,
-    MeshCouplingFields,
-    RingCrankFields,
-    RingDeviationsFields,
-    RingLoadFields,
-    RingTeethFields,
-)
 from app.calculations.solved import Solved
+from app.calculations.solved_design import SolvedFields, lost_motion_torque_share
 from app.model import (
-    UNION_TAGS,
     Angle,
     Calculation,
     Maybe,
-    RequestModel,
     Size,
     Values,
     quantity,
@@ -49,14 +41,15 @@ from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
 from app.units import to_si
 from app.worked import worked
+from core.design.document import Design
 from core.design.ring import CycloidRing, InvoluteRing
-from core.errors import InvalidInput
-from core.output.elasticity import HertzLaw, SatelliteSupport, Shares
+from core.errors import InvalidInput, Notice
+from core.material_table import MATERIALS
 from core.output.real_curves import stiffness_curve
 from core.output.turn import Turn
-from core.ring.involute import InvolutePair, involute_pair
+from core.ring.involute import InvolutePair
 from core.ring.loss import RingFriction, RingLoss, ring_loss, sliding_part
-from core.ring.profile import CycloidDisc, outline_points
+from core.ring.profile import CycloidDisc, Modification, outline_points
 from core.ring.sharing import (
     CycloidMesh,
     MeshTurn,
@@ -93,70 +86,30 @@ TORQUES = (-1.0, -0.75, -0.5, -0.25, -0.1, -0.03, 0.03, 0.1, 0.25, 0.5, 0.75, 1.
 """Shares of the torque at which the lag curve is answered."""
 
 
-def _of_its_kind(given: Any) -> Any:
-    """Refuse fields of a ring of the other kind."""
-    kinds = (("cycloid", InvoluteRingFields), ("involute", CycloidRingFields))
-    own = {"cycloid": CycloidRingFields.model_fields, "involute": InvoluteRingFields.model_fields}
-    for kind, other in kinds:
-        if isinstance(given, dict) and given.get("kind") == kind:
-            for name in given:
-                if name in other.model_fields and name not in own[kind]:
-                    raise field_error(name, "of_another_kind", kind=kind)
-    return given
+MATERIALS_OF = {
+    "cycloid": ("pin_material", "disc_material", PIN_MATERIAL),
+    "involute": ("ring_material", "satellite_material", RING_MATERIAL),
+}
+"""Fields of the materials of ring and satellite by the kind of teeth, and the ring's usual one."""
+
+OF_HOLES = ("clearance_unknown", "perfect_parts")
+"""Notices of pins in holes, which a ring alone does not have."""
+
+OF_CYCLOIDS = ("lost_motion_torque_share", "chord_error_mm", "crank_angle_deg")
+"""Fields of results that cycloid discs alone have."""
+
+RING_ALONE = ("mechanism", "load", "contact", "gear")
+"""Sections of a ring mesh; cycloid discs also have deviations and shares of the torque."""
 
 
-UNION_TAGS.update(("cycloid", "involute"))
+class RingMeshRequest(SolvedFields, group="positions"):
+    """Design document with a torque and the teeth of satellites and ring, without the output pins,
+    and the results that are wanted.
+    """
 
-OF_CYCLOIDS = (
-    "deviations",
-    "satellite_coupling",
-    "lost_motion_torque_share",
-    "chord_error_mm",
-    "crank_angle_deg",
-)
-"""Fields of cycloid discs only."""
+    NEEDS: ClassVar[Needs] = ("load/output_torque_Nm", "gear")
 
-
-class RingMeshRequest(RequestModel, group="positions"):
-    """Satellites, ring and load as the parts are made, and the results that are wanted."""
-
-    RULES: ClassVar[tuple[dict[str, Any], ...]] = (
-        {
-            "if": {"properties": {"gear": {"properties": {"kind": {"const": "involute"}}}}},
-            "then": {
-                "not": {"anyOf": [{"required": [name]} for name in OF_CYCLOIDS]},
-                "properties": {"include": {"items": {"enum": [*get_args(OfInvolutes)]}}},
-            },
-            "else": {
-                "required": ["contact"],
-                "properties": {
-                    "include": {"items": {"enum": [*get_args(OfCycloids)]}},
-                    "load": {"not": {"required": ["application_factor"]}},
-                },
-            },
-        },
-    )
-
-    mechanism: RingTeethFields
-    load: RingLoadFields
-    contact: Maybe[RingCrankFields] = None
-    gear: Annotated[
-        CycloidRingFields | InvoluteRingFields,
-        Field(discriminator="kind", description="Teeth of satellites and ring, by their kind."),
-        BeforeValidator(_of_its_kind),
-    ]
-    deviations: RingDeviationsFields = Field(default_factory=RingDeviationsFields)
-    satellite_coupling: MeshCouplingFields = Field(default_factory=MeshCouplingFields)
-    lost_motion_torque_share: float = quantity(
-        "Torque of the lost motion",
-        group="load",
-        default=0.03,
-        step=0.01,
-        advanced=True,
-        ge=1e-6,
-        le=1,
-    )
-    """Share of the torque, in both directions, under which the lost motion is measured."""
+    lost_motion_torque_share: float = lost_motion_torque_share()
     chord_error_mm: Size = quantity("Chord error", "ε", default=0.01, step=0.001)
     """Largest distance of the outline from the polygon of its points."""
     crank_angle_deg: list[Angle] = quantity(
@@ -176,176 +129,159 @@ class RingMeshRequest(RequestModel, group="positions"):
     @model_validator(mode="before")
     @classmethod
     def _law_is_of_the_gear(cls, given: Any) -> Any:
-        if isinstance(given, dict) and "contact_law" in given:
-            raise field_error("contact_law", "moved_to", field="gear.contact_law")
+        """Refuse the ring's law in its older place, beside a contact without pins."""
+        match given:
+            case {"contact_law": _, "contact": {"pin_radius_mm": _}}:
+                pass
+            case {"contact_law": _}:
+                raise field_error("contact_law", "moved_to", field="gear.contact_law")
         return given
 
     @model_validator(mode="after")
     def _of_the_kind(self) -> Self:
-        kind, own, named = self.gear.kind, self.mechanism, self.model_fields_set
-        for name in OF_CYCLOIDS if kind == "involute" else ():
-            if name in named:
-                raise field_error(name, "of_another_kind", kind=kind)
+        kind, own = self.ring_kind, self.mechanism.teeth
+        if kind not in ("cycloid", "involute"):
+            raise field_error("gear/kind", "literal_error", expected="'cycloid' or 'involute'")
         sections = get_args(OfInvolutes if kind == "involute" else OfCycloids)
-        for index, name in enumerate(self.asked):
-            if name not in sections:
+        for index, asked in enumerate(self.asked):
+            if asked not in sections:
                 raise field_error(f"include/{index}", "of_another_kind", kind=kind)
-        if kind == "involute":
-            return self
-        if own.ring_teeth != own.satellite_teeth + 1:
-            more = {"expected": own.satellite_teeth + 1}
-            raise field_error("mechanism/ring_teeth", "not_this_cycloid", **more)
-        if self.contact is None:
-            raise field_error("contact", "needed_beside", field="gear")
-        if self.load.application_factor is not None:
-            raise field_error("load/application_factor", "of_another_kind", kind=kind)
+        for name in OF_CYCLOIDS if kind == "involute" else ():
+            if name in self.model_fields_set:
+                raise field_error(name, "of_another_kind", kind=kind)
+        if kind == "cycloid" and own and own[1] != own[0] + 1:
+            raise field_error("mechanism/ring_teeth", "not_this_cycloid", expected=own[0] + 1)
         return self
+
+    def needs(self) -> Needs:
+        """Fields that the kind of teeth needs."""
+        of_cycloids = ("contact/eccentricity_mm", "gear/ring_pin_radius_mm")
+        return (*super().needs(), *(of_cycloids if self.ring_kind == "cycloid" else ()))
+
+    @property
+    def uses(self) -> frozenset[str]:
+        """Sections that teeth of this kind use."""
+        of_cycloids = ("deviations", "satellite_coupling")
+        return frozenset((*RING_ALONE, *(of_cycloids if self.ring_kind == "cycloid" else ())))
+
+    def parts(self) -> dict[str, Any]:
+        """Sections of the design; of the coupling only given shares of the torque."""
+        given = super().parts()
+        if not (self.satellite_coupling and self.satellite_coupling.shares):
+            given.pop("satellite_coupling", None)
+        return given
+
+    @cached_property
+    def design(self) -> Design:
+        """Ring in SI units without the output pins; an unknown modification is taken as none."""
+        design, gear, contact = super().design, super().design.gear, super().design.contact
+        if isinstance(gear, CycloidRing) and gear.modification is None:
+            gear = replace(gear, modification=Modification())
+        if isinstance(gear, InvoluteRing) and design.disc_material is None:
+            gear = replace(gear, satellite_material=MATERIALS[RING_MATERIAL].material)
+        if contact:
+            contact = replace(contact, pin_radius=None, hole_radius=None)
+        return replace(design, gear=gear, contact=contact)
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Assumed values, with the materials of the teeth."""
+        yield from (each for each in super().assumed() if each[0][0] not in ("contact", "gear"))
+        gear, contact = self.given["gear"], self.contact
+        of_ring, of_disc, usual = MATERIALS_OF[gear.kind]
+        if of_ring not in gear.given:
+            yield ("gear", of_ring), usual
+        if of_disc in gear.given:
+            return
+        if contact is None:
+            yield ("gear", of_disc), RING_MATERIAL
+        elif not contact.says("hole_material"):
+            yield ("contact", "hole_material"), contact.hole_material
+
+    def notices(self) -> tuple[Notice, ...]:
+        """Notices without those of pins in holes, and that of an unknown modification."""
+        found = tuple(each for each in super().notices() if each.code not in OF_HOLES)
+        unknown = self.ring_kind == "cycloid" and not self.says("gear/modification")
+        return found + ((Notice("modification_unknown"),) if unknown else ())
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse inputs beyond the operator's limits or too slow, and lists of other lengths."""
         super().refuse_beyond(settings)
-        if self.gear.kind == "involute":
+        if self.ring_kind == "involute":
             return
-        own = self.mechanism
+        satellites, teeth = self.mechanism.satellites, self.design.ring_pins
         limits = [settings.max_pairs]
         limits += [MAX_TURN_PAIRS] if "over_turn" in self.asked else []
         limits += [MAX_FORCES // len(self.crank_angle_deg)] if "positions" in self.asked else []
-        if own.pairs > min(limits):
-            most = {"limit": min(limits) // own.satellites, "satellites": own.satellites}
-            raise InvalidInput("ring_teeth", own.ring_teeth, "too_many_pairs", **most)
-        self.deviations.refuse_other_lengths(own.ring_teeth, own.satellites)
-        if isinstance(self.support, Shares) and len(self.support.shares) != own.satellites:
-            counts = {"expected": own.satellites, "actual": len(self.support.shares)}
-            raise refusal("/satellite_coupling/shares", "different_length", **counts)
+        if teeth * satellites > min(limits):
+            most = {"limit": min(limits) // satellites, "satellites": satellites}
+            raise InvalidInput("ring_teeth", teeth, "too_many_pairs", **most)
 
     @property
     def asked(self) -> list[Section]:
         """Sections of the answer."""
-        return self.include or ["stresses" if self.gear.kind == "involute" else "positions"]
-
-    @property
-    def cycloid(self) -> CycloidRingFields:
-        """The ring of cycloid discs."""
-        assert isinstance(self.gear, CycloidRingFields)
-        return self.gear
-
-    @property
-    def eccentricity(self) -> float | None:
-        """Eccentricity of the cranks, m; None if involute teeth determine it."""
-        if self.contact is None:
-            return None
-        given: float = to_si("eccentricity_mm", self.contact.eccentricity_mm)
-        return given
+        return self.include or ["stresses" if self.ring_kind == "involute" else "positions"]
 
     @property
     def pair(self) -> InvolutePair:
-        """Involute satellite in its ring, in SI units."""
-        own = self.mechanism
-        teeth = self.involute.involute_teeth(
-            satellite_teeth=own.satellite_teeth, ring_teeth=own.ring_teeth
-        )
-        return involute_pair(teeth=teeth, eccentricity=self.eccentricity)
-
-    @cached_property
-    def involute(self) -> InvoluteRing:
-        """The ring of involute teeth, in SI units."""
-        assert isinstance(self.gear, InvoluteRingFields)
-        difference = self.mechanism.ring_teeth - self.mechanism.satellite_teeth
-        return InvoluteRing(**self.gear.to_core() | {"teeth_difference": difference})
+        """Involute satellite in its ring; without an eccentricity the one without backlash."""
+        given = self.design.contact.eccentricity if self.contact else None
+        return self.results.ring.pair_at(given)
 
     @property
     def loaded_teeth(self) -> dict[str, Any]:
         """Arguments of the stresses of involute teeth."""
-        factor = self.load.application_factor or 1.0
-        return {
-            "torque": self.load.output_torque_Nm / self.mechanism.satellites,
-            "contact_length": self.involute.contact_length,
-            "satellite_material": self.involute.satellite_material,
-            "ring_material": self.involute.ring_material,
-            "load_factor": factor * self.involute.face_load_factor,
-        }
+        return self.results.ring.loaded_teeth(self.design.load_factor)
 
     @property
-    def support(self) -> SatelliteSupport:
-        """Given shares of the torque."""
-        made: SatelliteSupport = self.satellite_coupling.section()
-        return made
-
-    @cached_property
-    def torque(self) -> float:
-        """Torque with the sign of its direction, N*m."""
-        way = -1.0 if self.load.torque_direction == "reverse" else 1.0
-        return way * self.load.output_torque_Nm
-
-    @cached_property
-    def disc(self) -> CycloidDisc:
-        """The discs, in SI units."""
-        eccentricity = self.given["contact"].eccentricity_mm  # cycloids need it
-        ring: CycloidRing = self.cycloid.section()
-        return ring.disc(
-            satellite_teeth=self.mechanism.satellite_teeth,
-            eccentricity=to_si("eccentricity_mm", eccentricity),
-        )
-
-    @cached_property
     def mesh(self) -> CycloidMesh:
-        """The mesh as it is made, in SI units."""
-        ring: CycloidRing = self.cycloid.section()
-        return ring.cycloid_mesh(
-            disc=self.disc,
-            contact_length=ring.contact_length,
-            disc_material=ring.disc_material,
-            crank_angles=self.mechanism.crank_angles,
-            law=ring.contact_law or HertzLaw(),
-            deviations=self.deviations.section(),
-            support=self.support,
-        )
+        """Discs in their ring as they are made."""
+        return self.results.ring.mesh
 
     @property
-    def friction(self) -> RingFriction:
+    def disc(self) -> CycloidDisc:
+        """Discs of nominal size."""
+        return self.mesh.disc
+
+    @property
+    def sliding(self) -> RingFriction:
         """Sliding contact of the ring; without a coefficient it is taken as 0."""
-        ring: CycloidRing = self.cycloid.section()
+        ring = self.design.cycloid
         coefficient = ring.friction_coefficient or 0.0
         return RingFriction(coefficient, ring.sleeve_bore_radius, ring.rolling)
 
-    @property
-    def input_speed(self) -> float | None:
-        """Speed of the crank, rad/s."""
-        given: float | None = to_si("input_speed_rpm", self.load.input_speed_rpm)
-        return given
-
     def _loss(self, turn: MeshTurn) -> RingLoss | None:
         """Friction over the turn, if its coefficient is given."""
-        if self.cycloid.friction_coefficient is None:
+        if self.design.gear.friction_coefficient is None:
             return None
-        return ring_loss(turn=turn, friction=self.friction, input_speed=self.input_speed)
+        speed = self.design.turning_speed
+        return ring_loss(turn=turn, friction=self.sliding, input_speed=speed)
 
     def solve_all(self) -> Solved:
         """Requested results."""
-        if self.gear.kind == "involute":
+        if self.ring_kind == "involute":
             return self._solve_pair()
         solved, asked = Solved(), {*self.asked}
-        mesh = self.mesh
+        mesh, members = self.mesh, self.members
         solved.values |= {"kind": "cycloid", "geometry": RingGeometryOut.values(self.disc)}
         if "ideal" in asked:
-            each = self.load.output_torque_Nm / self.mechanism.satellites
-            solved.values["ideal"] = RingIdealOut.of(self.disc, each)
+            each = self.design.pin_torque / self.mechanism.satellites
+            solved.values["ideal"] = at_output(RingIdealOut.of(self.disc, each), members)
         if "over_turn" in asked:
             turn = mesh_over_turn(
                 mesh=mesh,
                 output_torque=self.torque,
                 lost_motion_share=self.lost_motion_torque_share,
             )
-            solved.values["over_turn"] = MeshTurnOut.values(turn)
+            solved.values["over_turn"] = at_output(MeshTurnOut.values(turn), members)
             solved.take(turn.accuracy, turn.notices)
             if loss := self._loss(turn):
                 solved.values["efficiency"] = RingEfficiencyOut.values(loss)
         if "positions" in asked:
             solved.values["positions"] = [self._position(angle, solved) for angle in self.angles]
         if "stiffness_curve" in asked:
-            torques = [share * self.load.output_torque_Nm for share in TORQUES]
+            torques = [share * self.design.pin_torque for share in TORQUES]
             lag = stiffness_curve(real=mesh, crank_angle=self.angles[0], torques=torques)
-            solved.values["stiffness_curve"] = StiffnessCurveOut.values(lag)
+            solved.values["stiffness_curve"] = at_output(StiffnessCurveOut.values(lag), members)
             solved.take(lag.accuracy)
         if "profile" in asked:
             error = to_si("chord_error_mm", self.chord_error_mm)
@@ -357,9 +293,9 @@ class RingMeshRequest(RequestModel, group="positions"):
 
     def solve_steps(self) -> list[Values]:
         """Worked steps of the requested sections."""
-        if isinstance(self.gear, InvoluteRingFields):
+        if self.ring_kind == "involute":
             return worked(geometry=involute_steps(self.pair))
-        asked, disc, torque = {*self.asked}, self.disc, self.load.output_torque_Nm
+        asked, disc, torque = {*self.asked}, self.disc, self.design.pin_torque
         steps = {"geometry": disc_steps(disc)}
         if "ideal" in asked:
             own = self.mechanism.satellites
@@ -385,21 +321,21 @@ class RingMeshRequest(RequestModel, group="positions"):
             if loss := self._loss(turn):
                 steps["efficiency"] = ring_loss_steps(
                     loss=loss,
-                    coefficient=self.friction.coefficient,
+                    coefficient=self.sliding.coefficient,
                     torque=torque,
                     teeth=disc.satellite_teeth,
-                    input_speed=self.input_speed,
+                    input_speed=self.design.turning_speed,
                 )
         return worked(**steps)
 
     def _solve_pair(self) -> Solved:
         pair = self.pair
         return solved_pair(
-            ring=self.involute,
+            ring=self.design.involute,
             pair=pair,
             loaded=self.loaded_teeth,
-            output_torque=self.load.output_torque_Nm,
-            input_speed=self.input_speed,
+            output_torque=self.design.pin_torque,
+            input_speed=self.design.turning_speed,
             asked={*self.asked},
             notices=pair_notices(pair),
         )
@@ -413,16 +349,17 @@ class RingMeshRequest(RequestModel, group="positions"):
     def _position(self, angle: float, solved: Solved) -> Values:
         found = mesh_position(mesh=self.mesh, crank_angle=angle, output_torque=self.torque)
         solved.take(found.accuracy, found.notices)
-        speed = None
-        if self.input_speed is not None:
-            speed = found.sliding_distance * self.input_speed / self.disc.satellite_teeth
-        part = sliding_part(disc=self.disc, friction=self.friction)
-        return MeshPositionOut.values(
+        speed = self.design.turning_speed
+        if speed is not None:
+            speed *= found.sliding_distance / self.disc.satellite_teeth
+        part = sliding_part(disc=self.disc, friction=self.sliding)
+        values = MeshPositionOut.values(
             found,
             sliding_speed_m_per_s=speed,
             loss_per_friction=part * found.sliding_loss,
             pressed_without_load=True if found.play is None else None,
         )
+        return at_output(values, self.members)
 
     def solve_path(self) -> DrawnPath:
         """Pressure along the path of contact."""
@@ -453,12 +390,12 @@ def figure(body: RingMeshRequest, theme: Theme = "light") -> Figure:
     turn, and the disc on its pins; or the pressure along the path of contact of involute teeth, for
     Plotly.js.
     """
-    if body.gear.kind == "involute":
+    if body.ring_kind == "involute":
         path = body.solve_path()
         return path_figure(path, theme)
-    own = body.mechanism
-    if own.pairs > MAX_DRAWN_PAIRS:
-        most = {"limit": MAX_DRAWN_PAIRS // own.satellites, "satellites": own.satellites}
+    satellites = body.mechanism.satellites
+    if body.design.ring_pins * satellites > MAX_DRAWN_PAIRS:
+        most = {"limit": MAX_DRAWN_PAIRS // satellites, "satellites": satellites}
         raise refusal("/mechanism/ring_teeth", "too_many_pairs", **most)
     drawn = body.solve_for_drawing()
     return ring_mesh_figure(drawn, theme)

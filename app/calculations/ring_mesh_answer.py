@@ -9,16 +9,13 @@ from app.calculations.load_sharing_answer import LagTurnOut, StiffnessCurveOut
 from app.calculations.mechanism import PairOut
 from app.model import (
     AccuracyOut,
-    AssumedOut,
+    DocumentResponse,
     Maybe,
     ResponseModel,
-    StepOut,
     Values,
     WarningOut,
-    assumptions,
     present,
     result,
-    worked_steps,
 )
 from app.units import from_si, rounded
 from core.crank.ring_mesh import cycloid_mesh
@@ -363,10 +360,9 @@ class DesignPairOut(ResponseModel):
     warnings: Maybe[list[WarningOut]] = None
 
 
-class RingMeshResponse(ResponseModel):
+class RingMeshResponse(DocumentResponse):
     """Requested sections."""
 
-    assumed: Maybe[list[AssumedOut]] = assumptions()
     kind: Literal["cycloid", "involute"] = result("Kind of the ring.")
     geometry: RingGeometryOut | InvoluteGeometryOut
     stresses: Maybe[InvoluteStressesOut] = None
@@ -377,6 +373,5 @@ class RingMeshResponse(ResponseModel):
     efficiency: Maybe[RingEfficiencyOut] = None
     stiffness_curve: Maybe[StiffnessCurveOut] = None
     profile: Maybe[ProfileOut] = None
-    worked: Maybe[list[StepOut]] = worked_steps()
     accuracy: AccuracyOut
     warnings: Maybe[list[WarningOut]] = None

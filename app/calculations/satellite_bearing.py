@@ -1,25 +1,24 @@
 """Load and life of the satellites' bearings: request, answer, figure."""
 
-from collections.abc import Iterator
 from contextlib import suppress
 from typing import Any, ClassVar
 
 import numpy as np
 
-from app.calculations.design import (
-    DesignFields,
-    DrivenLoadFields,
+from app.calculations.document import (
+    FORCES,
+    PIN_SECTIONS,
+    TOUCHING,
+    TURNING,
     ForcesUsed,
+    Needs,
+    StrengthFields,
     forces_used,
 )
-from app.calculations.mechanism import TOUCHING, CrankContactFields
-from app.calculations.named_bearing import NamedBearingFields
-from app.calculations.ring import RingFields
-from app.document import SectionFields
 from app.model import (
     AccuracyOut,
-    AssumingResponse,
     Calculation,
+    DocumentResponse,
     Maybe,
     ResponseModel,
     Values,
@@ -28,7 +27,6 @@ from app.model import (
     result,
     timed,
 )
-from app.rules import Rule
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import from_si
@@ -36,56 +34,19 @@ from app.worked import worked
 from core.arrays import FloatArray
 from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
 from core.design.curves import design_bearings
-from core.design.sections import CatalogueBearing, RollingBearing, SeatedBearing, Shaft
 from core.errors import NotKnown
 from core.worked.crank import bearing_steps
 from core.worked.step import Step
 
-OF_PINS = ("contact_law", "deviations", "pin", "crank_support", "satellite_coupling")
-"""Sections that concern pins and holes."""
 
+class SatelliteBearingRequest(StrengthFields, WorkedFields):
+    """Design document with a load, crank, ring and satellite bearing; pins and holes if the forces
+    follow from them too.
+    """
 
-class ShaftBearingFields(NamedBearingFields, of=CatalogueBearing, group="bearing"):
-    """A bearing of the crankshaft."""
-
-
-class BearingFields(ShaftBearingFields, of=RollingBearing, group="bearing"):
-    """A rolling bearing as its catalogue gives it."""
-
-
-class SeatedBearingFields(ShaftBearingFields, of=SeatedBearing, group="crankshaft"):
-    """Bearing of the crankshaft, and the part that holds it."""
-
-
-class CrankshaftFields(SectionFields, of=Shaft, group="crankshaft"):
-    """Crankshaft with the places of its loads and bearings."""
-
-    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Assumed values, with those of named bearings."""
-        yield from super().assumed()
-        for index, each in enumerate(self.bearings or ()):
-            yield from ((("bearings", str(index), *path), value) for path, value in each.assumed())
-
-
-class CrankedRequest(DesignFields, WorkedFields):
-    """Mechanism, load, crank and ring; pins and holes if the forces follow from them too."""
-
-    BETWEEN: ClassVar[tuple[Rule, ...]] = tuple(
-        Rule(f"contact/{name}", "needed_beside", section)
-        for section in OF_PINS
-        for name in TOUCHING
-    )
-
-    load: DrivenLoadFields
-    contact: CrankContactFields
-    gear: RingFields
-
-
-class SatelliteBearingRequest(CrankedRequest):
-    """Mechanism, load, crank, ring and bearing."""
-
-    bearing: BearingFields
-    crankshaft: Maybe[CrankshaftFields] = None
+    NEEDS: ClassVar[Needs] = (*TURNING, "gear", "bearing")
+    NEEDED_OF: ClassVar[dict[str, Needs]] = dict.fromkeys(PIN_SECTIONS, TOUCHING)
+    USES: ClassVar[frozenset[str]] = FORCES | {"bearing", "crankshaft", "requirements"}
 
     def solve(self) -> SatelliteBearings:
         """Loads and lives."""
@@ -120,7 +81,7 @@ class SatelliteBearingOut(ResponseModel):
     )
 
 
-class SatelliteBearingResponse(AssumingResponse):
+class SatelliteBearingResponse(DocumentResponse):
     """Loads and lives of the satellites' bearings."""
 
     forces: ForcesUsed = forces_used()

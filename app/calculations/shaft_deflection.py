@@ -19,7 +19,6 @@ from app.model import (
     AccuracyOut,
     Calculation,
     Maybe,
-    PartFields,
     RequestModel,
     ResponseModel,
     Size,
@@ -55,7 +54,7 @@ from core.worked.step import Step
 Plane = tuple[float, float]
 
 
-class ShaftSectionFields(PartFields, group="shaft"):
+class ShaftSectionFields(RequestModel, group="shaft"):
     """Stretch of the shaft with one diameter."""
 
     length_mm: Size = quantity("Length", step=1)

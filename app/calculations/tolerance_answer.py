@@ -2,7 +2,7 @@
 
 from pydantic import Field
 
-from app.model import AccuracyOut, AssumingResponse, Maybe, ResponseModel, WarningOut, result
+from app.model import AccuracyOut, DocumentResponse, Maybe, ResponseModel, WarningOut, result
 from core.tolerance.processes import ProcessName
 
 
@@ -138,7 +138,7 @@ class ProcessOut(ResponseModel):
     )
 
 
-class ToleranceStudyResponse(AssumingResponse):
+class ToleranceStudyResponse(DocumentResponse):
     """Effect of tolerances on the pieces."""
 
     quantities: QuantitiesOut = result("Quantities that are requested or have a limit.")

@@ -10,10 +10,14 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 import numpy as np
 from pydantic import Field, PrivateAttr, model_validator
 
-from app.calculations.both_meshes import FLOATS_AS_LONG, RingInSeriesFields, of_the_ring
-from app.calculations.design import OneWayLoadFields, RealContactFields
+from app.calculations.document import FORCES, LOADED, TOUCHING, Needs
 from app.calculations.members_answer import factor_at_output
-from app.calculations.real_design import LEFT_OUT
+from app.calculations.solved_design import (
+    FLOATS_AS_LONG,
+    LEFT_OUT,
+    SolvedFields,
+    lost_motion_torque_share,
+)
 from app.calculations.tolerance_answer import ToleranceStudyResponse
 from app.calculations.tolerance_figure import tolerance_figure
 from app.calculations.tolerances import (
@@ -45,9 +49,10 @@ from app.theme import Figure, Theme
 from app.units import core_name, from_si, to_si
 from app.worked import stated
 from core.arrays import FloatArray
+from core.design.document import changed
+from core.design.results import Results
 from core.errors import Accuracy, InvalidInput, Notice
-from core.output.real_mechanism import RealMechanism
-from core.output.room import Deviations
+from core.ring.series import MeshesInSeries
 from core.ring.series_study import FINER, SeriesStudy
 from core.tolerance.contributions import MOST_FIT, contributions
 from core.tolerance.quantiles import Estimate, refuse_few
@@ -123,21 +128,18 @@ OF_RING_PINS = ("ring_peak_force_N", "ring_max_pressure_MPa")
 """Quantities of the pins of a ring in series."""
 
 
-class ToleranceStudyRequest(RingInSeriesFields, group="study"):
-    """Mechanism, load and contact, tolerances of the parts, and the results that are wanted."""
+class ToleranceStudyRequest(SolvedFields, group="study"):
+    """Design document with a load, pins in holes and tolerances, and the results that are wanted.
+    Deviations of a piece are drawn, and those of the document are not used.
+    """
 
+    NEEDS: ClassVar[Needs] = (*LOADED, *TOUCHING, "tolerances")
+    USES: ClassVar[frozenset[str]] = FORCES - {"deviations"} | {"tolerances"}
     BETWEEN: ClassVar[tuple[Rule, ...]] = tuple(
         Rule(f"tolerances/{name}", "only_one", "contact/fit") for name in DIAMETERS
     )
 
-    OF_A_RING: ClassVar[tuple[str, ...]] = (
-        *(f"tolerances/{name}" for name in OF_THE_RING),
-        *(f"limits/{name}" for name in OF_RING_PINS),
-    )
-    RULES: ClassVar[tuple[dict[str, Any], ...]] = of_the_ring("tolerances", OF_THE_RING)
-
-    load: OneWayLoadFields
-    tolerances: TolerancesFields
+    lost_motion_torque_share: float = lost_motion_torque_share()
     samples: Maybe[Whole] = quantity("Samples", "n", step=100, ge=1, le=MAX_SAMPLES)
     """Number of pieces to draw; samples × pairs × crank angles are bounded. The default is the
     largest number allowed, up to 4096, or up to 1024 with contributions."""
@@ -173,38 +175,60 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         " 2·G + 2 times as many additional pieces.",
     )
 
+    @model_validator(mode="after")
+    def _one_way(self) -> Self:
+        if self.known_load.torque_direction == "alternating":
+            ways = "'driving' or 'reverse'"
+            raise field_error("load/torque_direction", "literal_error", expected=ways)
+        return self
+
+    @property
+    def stated(self) -> TolerancesFields:
+        """Tolerances as they are given."""
+        stated: TolerancesFields = self.given["tolerances"]
+        return stated
+
     @cached_property
     def spread(self) -> TolerancesFields:
         """Tolerances with guide values of processes; a fit gives the classes of both diameters."""
         classes = self._classes_of_fit
-        return self.tolerances.filled(without=classes).model_copy(update=classes)
+        return self.stated.filled(without=classes).model_copy(update=classes)
 
     @property
     def _classes_of_fit(self) -> Values:
         """Diameters that a fit states."""
-        if self.contact.fit is None:
+        fit = self.design.contact.iso_fit
+        if not fit:
             return {}
-        hole, pin = self.contact.fit.split("/")
+        hole, pin = fit.split("/")
         return {
             "hole_diameter": HoleDiameterFields.model_validate({"class": hole}),
             "pin_diameter": PinDiameterFields.model_validate({"class": pin}),
         }
 
     @cached_property
-    def basic(self) -> RealContactFields:
-        """Contact by nominal sizes; a fit's classes apply to a hole of pin plus eccentricity."""
-        return self.contact.model_copy(update={"fit": None})
+    def results(self) -> Results:
+        """Results of nominal sizes; a fit's classes apply to a hole of pin plus eccentricity."""
+        design, contact = self.design, self.design.contact
+        if contact.iso_fit:
+            pin, eccentricity = design.nominal_pair.pin_radius, design.known_eccentricity
+            design = changed(design, {"contact.hole_radius": pin + eccentricity})
+        return Results(design, bounded=False)
 
-    def made(self, deviations: Deviations) -> RealMechanism:
-        """Mechanism of nominal sizes, in SI units."""
-        return replace(super().made(deviations), clearance=self.basic.sizes()["clearance"])
-
-    @model_validator(mode="after")
-    def _asks_of_its_ring(self) -> Self:
-        for index, name in enumerate(self.quantities):
-            if name in OF_RING_PINS and not self.in_series:
-                raise field_error(f"quantities/{index}", "of_another_kind", kind="rigid")
-        return self
+    def refuse_of_no_ring(self) -> None:
+        """Refuse tolerances, limits and quantities of the ring if both meshes are not in series."""
+        of_ring = (
+            *(f"tolerances/{name}" for name in OF_THE_RING if name in self.stated.given),
+            *(f"limits/{name}" for name in OF_RING_PINS if name in self.limits.given),
+            *(f"quantities/{n}" for n, name in enumerate(self.quantities) if name in OF_RING_PINS),
+        )
+        if not of_ring or self.in_series:
+            return
+        if self.ring_kind == "cycloid":
+            for path in ("gear/modification", "contact/hole_clearance_mm"):
+                if not self.says(path):
+                    raise refusal(f"/{path}", "needed_beside", field=of_ring[0].partition("/")[0])
+        raise refusal(f"/{of_ring[0]}", "of_another_kind", kind="rigid")
 
     _fitting: int = PrivateAttr(default=MAX_SAMPLES)
     _lost: bool = PrivateAttr(default=False)
@@ -217,9 +241,8 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse inputs beyond the limits or too slow, and percentiles that need more samples."""
-        self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
-        self.refuse_other_shares(self.mechanism.satellites)
+        self.refuse_of_no_ring()
         self.refuse_longer(settings)
         for index, percent in enumerate(self.percentiles):
             try:
@@ -238,8 +261,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         else:
             most = int(budget / (positions * self.mechanism.pairs))
         if most < FEWEST:
-            limit = self.mechanism.most_pins(int(budget / (positions * FEWEST)))
-            raise InvalidInput("pins", self.mechanism.pins, "too_many_pairs", **limit)
+            self.refuse_pairs(int(budget / (positions * FEWEST)))
         self._fitting = min(self._fitting, most)
         if self.drawn > most:
             raise InvalidInput("samples", self.samples, "service_limit", limit=most)
@@ -250,11 +272,11 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         each = self._solves(self.names)
         if "contributions" in self.include:
             each += (2 * len(self.spread.spreads()) + 2) * self._solves(self.names[:1])
-        floats = self.in_series and self.support.loose > 0
+        floats = self.in_series and self.design.support.loose > 0
         return each * (FLOATS_AS_LONG if floats else self.times_as_long)
 
     def _solves(self, names: list[str]) -> float:
-        fit = self.mechanism.ring_teeth or 0 if self.in_series else 0
+        fit = self.design.ring_pins if self.in_series else 0
         return self._times(names) * self.positions + fit
 
     @property
@@ -263,9 +285,13 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
         return self.crank_angles * (TURNS_IN_SERIES if self.in_series else 1)
 
     @property
-    def ring_pin_diameter(self) -> float:
-        """Diameter of the pins of a ring, m; 0 without one."""
-        return 0.0 if self.gear is None else 2 * to_si("radius_mm", self.gear.ring_pin_radius_mm)
+    def diameters(self) -> dict[str, float]:
+        """Nominal diameters of pins, holes and ring pins, m, as far as they are given."""
+        pair = self.results.design.nominal_pair
+        found = {"pin": 2 * pair.pin_radius, "hole": 2 * pair.hole_radius}
+        return found | (
+            {"ring_pin": 2 * self.design.cycloid.known_pin_radius} if self.in_series else {}
+        )
 
     def _times(self, names: list[str]) -> float:
         if names == ["backlash_max_arcmin"]:
@@ -285,7 +311,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     def study(self, report: Report) -> Study:
         """Study in SI units, which reports progress; on the operator's cluster if there is one."""
         given: Values = {
-            "tolerances": self.spread.tolerances(self.basic, self.ring_pin_diameter),
+            "tolerances": self.spread.tolerances(self.diameters),
             "asked": Evaluation(
                 quantities=tuple(map(core_name, self.names)),
                 output_torque=self.torque,
@@ -296,10 +322,10 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
             "seed": self.seed,
             "progress": self._counted(report),
         }
-        real = self.made(Deviations())
+        real = self.results.real
         study = Study(real=real, **given)
         if self.in_series:
-            study = SeriesStudy(real=self.in_ring(real), **given)
+            study = SeriesStudy(real=MeshesInSeries(self.results.ring.mesh, real), **given)
         address = current().dask
         if not address:
             return study
@@ -371,7 +397,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     @property
     def guided(self) -> Values:
         """Values that processes fill in, by names of tolerances."""
-        said, guides = self._classes_of_fit, self.tolerances.guides
+        said, guides = self._classes_of_fit, self.stated.guides
         return {name: each for name, each in guides.items() if name not in said}
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
@@ -387,19 +413,19 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
 
     def _process(self) -> Values:
         """Processes of the parts and the values taken from them, if stated."""
-        made = self.tolerances.processes
+        made = self.stated.processes
         known = [made[part] for part in ("hole", "pin") if part in made]
         if not known:
             return {}
         first, last = known[0], known[-1]
         other = {"pin_code": last.code, "pin_source": last.source} if last != first else {}
-        more = self.spread.tolerances(self.basic).mean_clearance
+        more = self.spread.tolerances(self.diameters).mean_clearance
         said = {
             "code": first.code,
             "source": first.source,
             **other,
             "filled": [f"/tolerances/{name}" for name in self.guided],
-            "mean_clearance_mm": from_si("clearance_mm", self.basic.sizes()["clearance"] + more),
+            "mean_clearance_mm": from_si("clearance_mm", self.results.design.play + more),
         }
         return {"process": said}
 
@@ -453,7 +479,7 @@ class ToleranceStudyRequest(RingInSeriesFields, group="study"):
     def _contributions(self, study: Study, to_fit: bool = False) -> list[Values]:
         first = replace(study, asked=replace(study.asked, quantities=study.asked.quantities[:1]))
         percent = max(self.percentiles, default=50.0)
-        given = {core_name(name): name for name in type(self.tolerances).model_fields}
+        given = {core_name(name): name for name in TolerancesFields.model_fields}
         for part in ("pin", "hole", "ring_pin"):
             given[f"{part}_radius"] = f"{part}_diameter"
 

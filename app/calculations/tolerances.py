@@ -1,14 +1,14 @@
 """Tolerances of the parts, as a request states them."""
 
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from functools import cached_property, partial
 from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from app.calculations.design import Phase, RealContactFields
 from app.calculations.mechanism import Deviation, class_pattern
+from app.calculations.sections import Phase
 from app.model import (
     LARGEST,
     UNION_TAGS,
@@ -262,12 +262,8 @@ class TolerancesFields(RequestModel, group="tolerances"):
         """Names of the tolerances."""
         return [name for name in self.given if name not in SAID_BY_PROCESS]
 
-    def tolerances(self, contact: RealContactFields, ring_pin_diameter: float = 0.0) -> Tolerances:
-        """Tolerances in SI units, for the sizes of a contact and the diameter of ring pins."""
-        sizes = contact.sizes()
-        pin = 2 * sizes["pin_radius"]
-        hole = pin + 2 * (sizes["eccentricity"] + sizes["clearance"])
-        diameters = {"pin": pin, "hole": hole, "ring_pin": ring_pin_diameter}
+    def tolerances(self, diameters: Mapping[str, float]) -> Tolerances:
+        """Tolerances in SI units, for diameters of pins, holes and ring pins, m, by their names."""
         radii = {
             f"{part}_radius": _of_diameter(name, self.given[name], diameter)
             for part, diameter in diameters.items()

@@ -45,7 +45,7 @@ def _largest_torque(results: Results) -> float | None:
     judged = crank_verdict(results, largest=True)
     if not judged.largest_torque_known or judged.torque_reserve is None:
         return None
-    return abs(results.design.load.output_torque) * judged.torque_reserve
+    return abs(results.design.output_torque) * judged.torque_reserve
 
 
 class SpreadOut(ResponseModel):

@@ -2,7 +2,7 @@
 
 from abc import abstractmethod
 from functools import partial
-from typing import Annotated, Any, Literal, NoReturn, get_args
+from typing import Annotated, Any, Literal, NoReturn, Self, get_args
 
 from pydantic import Field, model_validator
 from pydantic.json_schema import SkipJsonSchema
@@ -11,7 +11,6 @@ from app.calculations.contact_force import ContactForceRequest
 from app.calculations.contact_line import ContactLineRequest
 from app.calculations.load_sharing import LoadSharingRequest
 from app.calculations.ring_mesh import RingMeshRequest
-from app.calculations.ring_parts import CycloidRingFields
 from app.calculations.shaft_deflection import ShaftDeflectionRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
 from app.model import Calculation, RequestModel, ResponseModel, Values, result, untold
@@ -114,14 +113,17 @@ class LoadSharingStudy(Study):
 
     def solve(self) -> WorkPrecision:
         """Study under a torque; an alternating one in its driving direction."""
-        stage = self.input.stage(self.input.real())
-        return real_peak_study(real=stage, output_torque=self.input.torque)
+        return real_peak_study(real=self.input.results.stage, output_torque=self.input.torque)
 
 
 class ComparedMeshRequest(RingMeshRequest):
     """Cycloid discs on their ring pins; involute teeth have closed forms only."""
 
-    gear: CycloidRingFields
+    @model_validator(mode="after")
+    def _of_cycloids(self) -> Self:
+        if self.ring_kind != "cycloid":
+            raise field_error("gear/kind", "literal_error", expected="'cycloid'")
+        return self
 
 
 class RingMeshStudy(Study):

@@ -3,13 +3,14 @@
 import io
 import re
 import zipfile
-from typing import TYPE_CHECKING, NamedTuple, Self
+from typing import TYPE_CHECKING, ClassVar, NamedTuple, Self
 
 import numpy as np
 from pydantic import Field, model_validator
 
 from app import VERSION
 from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
+from app.calculations.document import Needs
 from app.calculations.mechanism import MAX_SATELLITES
 from app.model import Export, File, RequestModel, pointer, quantity
 from app.problems import Problem, refusal
@@ -69,14 +70,21 @@ EARLIEST = (1980, 1, 1, 0, 0, 0)
 """Date of files in a ZIP, the earliest possible, so that equal requests give equal files."""
 
 
+class DrawnDesign(CrankPlanetaryRequest):
+    """Request of `/crank-planetary`, which needs only what is drawn."""
+
+    NEEDS: ClassVar[Needs] = ()
+    NEEDED_OF: ClassVar[dict[str, Needs]] = {}
+
+
 class DxfRequest(RequestModel, group="drawing"):
     """Design, and the parts that are drawn."""
 
-    design: CrankPlanetaryRequest = Field(
+    design: DrawnDesign = Field(
         description="Request of /crank-planetary with a ring of pins whose modification is given,"
         " or with involute teeth whose profile shifts and heights are given, as "
-        "unknown shapes are not drawn. Deviations are not drawn, and the results that"
-        " the request names are not calculated."
+        "unknown shapes are not drawn. Satellites have holes if pins are given. Deviations are "
+        "not drawn, and the results that the request names are not calculated."
     )
     parts: list[str] = Field(
         min_length=1,
@@ -161,18 +169,22 @@ class _Part(NamedTuple):
 
     reach: float  # largest distance from the origin
     outline: FloatArray | None  # X and Y of the points of a closed polygon
-    circles: _Circles
+    circles: _Circles | None
     bore: float | None  # radius
     said: dict[str, str]  # properties for other programs, by name
     title: list[str]  # lines of text
 
 
 def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
-    outline, holes = (from_si("points_mm", each) for each in (drawn.outline, drawn.hole_centres))
-    error, radius, pitch = (
-        from_si("length_mm", each)
-        for each in (drawn.chord_error, drawn.hole_radius, drawn.hole_circle_radius)
-    )
+    outline, error = from_si("points_mm", drawn.outline), from_si("length_mm", drawn.chord_error)
+    holes, circles = "without holes", None
+    if own_holes := drawn.holes:
+        centres = from_si("points_mm", own_holes.centres)
+        radius, pitch = (
+            from_si("length_mm", each) for each in (own_holes.radius, own_holes.circle_radius)
+        )
+        circles = _Circles("HOLES", pitch, centres, radius)
+        holes = f"{len(centres)} holes of diameter {2 * radius:.9g} mm"
     bore = from_si("radius_mm", drawn.bore_radius)
     x, y = (round(from_si("centre_mm", each), DIGITS) + 0.0 for each in drawn.centre)
     if design.gear.kind == "involute":
@@ -187,7 +199,7 @@ def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
     return _Part(
         reach=float(np.hypot(*outline.T).max()),
         outline=outline,
-        circles=_Circles("HOLES", pitch, holes, radius),
+        circles=circles,
         bore=bore,
         said={
             "part": f"satellite_{drawn.number}",
@@ -199,8 +211,7 @@ def _satellite(drawn: DrawnSatellite, design: Design) -> _Part:
             f"Satellite {drawn.number} of {design.mechanism.satellites}, {form[0]}",
             f"Closed polyline of {len(outline)} points, {error:.4g} mm from the outline at most",
             form[1],
-            f"{len(holes)} holes of diameter {2 * radius:.9g} mm, "
-            + ("bore not given" if bore is None else f"bore {2 * bore:.9g} mm"),
+            f"{holes}, " + ("bore not given" if bore is None else f"bore {2 * bore:.9g} mm"),
             f"At the crank angle 0 this centre is at X {x:.6f}, Y {y:.6f} mm",
         ],
     )
@@ -309,22 +320,23 @@ def _file(part: _Part) -> bytes:
 def _draw(part: _Part, space: "Modelspace") -> float:
     """Draw a part, and return its lowest place."""
     on = {name: {"layer": name} for name in LAYERS}
-    layer, pitch, centres, radius = part.circles
     if part.outline is not None:
         polygon = space.add_lwpolyline((), close=True, dxfattribs=on["OUTLINE"])
         # All points at once, as each single addition would copy all points before.
         polygon.lwpoints.extend(np.column_stack((part.outline, np.zeros((len(part.outline), 3)))))
     if part.bore is not None:
         space.add_circle((0, 0), part.bore, dxfattribs=on["BORE"])
-    space.add_circle((0, 0), pitch, dxfattribs=on["CENTRE"])
     height = 2 * part.reach / LINES
-    small = min(height, radius / 2)
     crosses = [((0.0, 0.0), part.reach)]
-    for number, (x, y) in enumerate(centres.tolist(), 1):
-        space.add_circle((x, y), radius, dxfattribs=on[layer])
-        label = space.add_text(str(number), height=small, dxfattribs=on["TITLE"])
-        label.set_placement((x + small / 2, y + small / 2))
-        crosses.append(((x, y), radius))
+    if part.circles:
+        layer, pitch, centres, radius = part.circles
+        small = min(height, radius / 2)
+        space.add_circle((0, 0), pitch, dxfattribs=on["CENTRE"])
+        for number, (x, y) in enumerate(centres.tolist(), 1):
+            space.add_circle((x, y), radius, dxfattribs=on[layer])
+            label = space.add_text(str(number), height=small, dxfattribs=on["TITLE"])
+            label.set_placement((x + small / 2, y + small / 2))
+            crosses.append(((x, y), radius))
     for (x, y), half in crosses:
         arm = BEYOND * half
         space.add_line((x - arm, y), (x + arm, y), dxfattribs=on["CENTRE"])

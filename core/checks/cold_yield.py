@@ -74,7 +74,7 @@ def cold_yield(*, results: Results, found: Verdict) -> ColdYield | None:
         if each.kind.part == "teeth" and each.reason == "plastic_limit_unknown"
     )
     return ColdYield(
-        torque=abs(design.load.output_torque) * factor,
+        torque=abs(design.output_torque) * factor,
         part=part,
         body=body,
         strength=strength,

@@ -153,7 +153,7 @@ def _reason(results: Results, shares: list[float]) -> ShareReason:
     most = shares.index(max(shares))
     bends = design.pin and design.pin.satellite_positions
     if bends:
-        reference = design.pin_torque / design.load.pin_circle_radius
+        reference = design.pin_torque / design.pin_circle_radius
         contact = float(results.compliance(reference / count))
         stiffness = [1 / (contact + each) for each in pin_compliance(design.pin)]
         more = stiffness[most] / sum(stiffness) - 1 / count

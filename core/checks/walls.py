@@ -128,10 +128,10 @@ def interference(kind: Kind, design: Design, results: Results) -> Check:
 
 def _apart(kind: Kind, design: Design, radius: float, *, solid: bool) -> Check:
     """Check of the wall (`solid`) or gap between neighbours of a radius, m, on the pin circle."""
-    pins = design.mechanism.pins
+    pins = design.pin_count
     if pins < 2:
         return Check(kind, "not_applicable", reason="one_only")
-    width = 2 * design.load.pin_circle_radius * math.sin(math.pi / pins) - 2 * radius
+    width = 2 * design.pin_circle_radius * math.sin(math.pi / pins) - 2 * radius
     return _thick(kind, design, width, radius) if solid else kind.gap(width, size=radius)
 
 
@@ -177,7 +177,7 @@ def pins_apart(kind: Kind, design: Design, results: Results) -> Check:
 )
 def holes_off_centre(kind: Kind, design: Design, results: Results) -> Check:
     size = design.nominal_pair.hole_radius
-    return kind.gap(design.load.pin_circle_radius - size, size=size)
+    return kind.gap(design.pin_circle_radius - size, size=size)
 
 
 def _within_roots(kind: Kind, design: Design, *, solid: bool) -> Check:
@@ -186,7 +186,7 @@ def _within_roots(kind: Kind, design: Design, *, solid: bool) -> Check:
     requested or usual least thickness; otherwise a gap is enough.
     """
     size = design.nominal_pair.hole_radius
-    reach = design.load.pin_circle_radius + size
+    reach = design.pin_circle_radius + size
     known = design.satellite_body and design.satellite_body.root_radius
     source = "roots" if design.gear and not known else ""
 
@@ -250,7 +250,7 @@ def wall_rim(kind: Kind, design: Design, results: Results) -> Check:
 def wall_bore(kind: Kind, design: Design, results: Results) -> Check:
     size = design.nominal_pair.hole_radius
     bore = required(design.bore_radius, "size_missing", "satellite_body.bore_radius")
-    return _thick(kind, design, design.load.pin_circle_radius - size - bore, size)
+    return _thick(kind, design, design.pin_circle_radius - size - bore, size)
 
 
 @_body(

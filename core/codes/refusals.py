@@ -19,6 +19,8 @@ INVALID = {
     "infinite_line": "must not lie at a pole, a multiple of half a turn less {field}: the line is "
     "infinitely long there",
     "larger_than": "must be larger than {field}, {limit:.9g}",
+    "clearance_dust": "must leave a clearance that is 0 or at least {limit:g} in size",
+    "hole_disagrees": "must be pin radius + eccentricity + clearance, {limit:.15g}, or left out",
     "less_than": "must be less than {limit:.15g}",
     "less_than_equal": "must be at most {limit:.15g}",
     "more_than_whole": "must be at most {limit:d}, the number of satellites: none carries more "
@@ -59,6 +61,8 @@ INVALID = {
     "undercut": "must be smaller than {limit:.9g}: the tool would cut off a part of its own flanks",
     "too_thick": "must be at most twice {field}, {limit:.9g}: thicker, the pin itself would touch "
     "the hole",
+    "with_real_forces": "must be at most 1 with clearance, deviations or elasticity: forces are "
+    "solved then, not assumed",
 }
 """Refusals of one wrong parameter, by code."""
 

@@ -5,7 +5,8 @@ or raises `NotKnown` with the reason why it is not known.
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-sections            mechanism, load, contact, pin, ..., requirements: each as far as it is given
+contact             pins in holes: sizes, clearance or fit, materials
+sections            mechanism, load, pin, ..., requirements: each as far as it is given
 ring                teeth or pins of the ring
 document            the design made of these sections, paths in it, copies with other values
 refusals            refusals of calculations that name the field with its section

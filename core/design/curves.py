@@ -50,7 +50,7 @@ def _load_curves(
                 mechanism=design.built,
                 force_exponent=load.force_exponent,
                 output_torque=design.pin_torque,
-                pin_circle_radius=load.pin_circle_radius,
+                pin_circle_radius=design.pin_circle_radius,
                 eccentricity=eccentricity,
                 radial_force_ratio=rho,
                 crank_angle=crank_angle,

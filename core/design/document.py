@@ -9,23 +9,21 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Any, TypeVar, cast
 
+from core.design.contact import Contact, PairSizes, SharedBy
 from core.design.ring import CycloidRing, InvoluteRing, Ring, RingBody
 from core.design.sections import (
     USUAL_LIFE,
     USUAL_RELIABILITY,
-    Contact,
     DesignPin,
     FatigueBasis,
     Friction,
     Load,
     MechanismSection,
-    PairSizes,
     Requirements,
     Rollers,
     RollingBearing,
     SatelliteBody,
     Shaft,
-    SharedBy,
     Temperatures,
 )
 from core.errors import InvalidInput, NotKnown, derived, if_known, is_known, required
@@ -38,7 +36,7 @@ from core.output.elasticity import (
     SatelliteSupport,
     Supports,
 )
-from core.output.mechanism import Mechanism, Members, MemberSpeeds, felt
+from core.output.mechanism import Mechanism, Members, MemberSpeeds
 from core.output.pin_beam import check_apart
 from core.output.pin_section import MOST_BORE
 from core.output.room import Deviations
@@ -80,16 +78,20 @@ def not_given(section: str) -> Any:
 
 @lru_cache(maxsize=1024)
 def mechanism_of(given: MechanismSection) -> Mechanism:
-    """Mechanism of pins and cranks of a section; equal sections share one cached object."""
+    """Mechanism of pins and cranks of a section; equal sections share one cached object.
+
+    Raises NotKnown without a number of pins.
+    """
+    pins = required(given.pins, "size_missing", "mechanism.pins")
     if given.crank_angles:
         return Mechanism(
-            pins=given.pins,
+            pins=pins,
             crank_angles=given.crank_angles,
             ratio=given.ratio,
             initial_crank_angle=given.initial_crank_angle,
         )
     return Mechanism.evenly_spaced(
-        pins=given.pins,
+        pins=pins,
         satellites=given.satellites,
         ratio=given.ratio,
         crank_spacing=given.crank_spacing,
@@ -222,10 +224,13 @@ class Design:
             raise InvalidInput(name, factor, "greater_than_equal", limit=1.0)
         if factor > most:
             raise InvalidInput(name, factor, "more_than_whole", limit=most)
+        if factor > 1 and self.as_made:
+            raise InvalidInput(name, factor, "with_real_forces")
 
     def _check_peak(self) -> None:
-        if self.load and self.static_share < 1 - AS_TYPED:
-            working = self.load.output_torque * self.load_factor
+        given = self.load and self.load.output_torque is not None
+        if given and self.static_share < 1 - AS_TYPED:
+            working = self.output_torque * self.load_factor
             peak = self.load.peak_torque
             raise InvalidInput("load.peak_torque", peak, "below_working", limit=working)
 
@@ -235,9 +240,15 @@ class Design:
         return mechanism_of(self.mechanism)
 
     @property
+    def crank_angles(self) -> tuple[float, ...]:
+        """Angle of each crank, rad."""
+        own = self.mechanism
+        return mechanism_of(own if own.pins else replace(own, pins=1)).crank_angles
+
+    @property
     def pairs(self) -> int:
         """Number of pairs of pin and hole."""
-        return self.mechanism.pins * self.mechanism.satellites
+        return self.pin_count * self.mechanism.satellites
 
     @property
     def support(self) -> SatelliteSupport:
@@ -402,9 +413,9 @@ class Design:
     @derived
     def clearance(self) -> float:
         """Radial clearance, m: hole radius less pin radius and eccentricity; overlap below 0."""
-        pin = required(self.contact.pin_radius, "section_missing", "contact")
-        hole = required(self.contact.hole_radius, "section_missing", "contact")
-        return felt(clearance=hole - (pin + self.known_eccentricity), hole_radius=hole)
+        _ = required(self.contact.pin_radius, "section_missing", "contact")
+        _ = self.known_eccentricity
+        return required(self.contact.clearance, "section_missing", "contact")
 
     @property
     def play(self) -> float:
@@ -489,6 +500,21 @@ class Design:
         return required(speed, "speed_missing", "load.input_speed")
 
     @property
+    def pin_count(self) -> int:
+        """Number of output pins; `NotKnown` if it is not given."""
+        return required(self.mechanism.pins, "size_missing", "mechanism.pins")
+
+    @property
+    def output_torque(self) -> float:
+        """Torque of the output, N*m; `NotKnown` if it is not given."""
+        return required(self.load.output_torque, "size_missing", "load.output_torque")
+
+    @property
+    def pin_circle_radius(self) -> float:
+        """Radius of the circle of pin centres, m; `NotKnown` if it is not given."""
+        return required(self.load.pin_circle_radius, "size_missing", "load.pin_circle_radius")
+
+    @property
     def members(self) -> Members:
         """Crank, pins and ring, one of which is the output."""
         return Members(self.mechanism.output, self.mechanism.ratio)
@@ -496,7 +522,7 @@ class Design:
     @property
     def pin_torque(self) -> float:
         """Torque on the pins, N*m, from which the forces are calculated."""
-        return self.load.output_torque * self.members.pin_share
+        return self.output_torque * self.members.pin_share
 
     @property
     def speeds(self) -> MemberSpeeds | None:
@@ -700,7 +726,7 @@ class Design:
     def disc_distance(self) -> float:
         """Distance of a hole's axis to bore or tooth roots over the hole's radius, or infinity."""
         low, _ = self.roots
-        circle, hole = self.load.pin_circle_radius, self.nominal_pair.hole_radius
+        circle, hole = self.pin_circle_radius, self.nominal_pair.hole_radius
         known = [low - circle] if low else []
         with suppress(NotKnown):
             known.append(circle - self.bore_radius)

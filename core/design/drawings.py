@@ -33,17 +33,24 @@ from core.ring.tooth_outline import ring_outline, satellite_outline
 
 
 @dataclass(frozen=True, slots=True)
+class DrawnHoles:
+    """Holes of a satellite about its own centre; lengths in m."""
+
+    circle_radius: float  # R of their centres
+    centres: FloatArray  # anticlockwise from the hole of the first pin, shape (N, 2)
+    radius: float  # r_out
+
+
+@dataclass(frozen=True, slots=True)
 class DrawnSatellite:
-    """Satellite with its holes about its own centre; lengths in m."""
+    """Satellite about its own centre; lengths in m."""
 
     number: int  # j, from 1
     centre: tuple[float, float]  # O_j, about the axis of the reducer
     turn: float  # rotation of the teeth from an upright valley or space, anticlockwise, rad
     outline: FloatArray  # closed polygon of its points, clockwise, shape (n, 2)
     chord_error: float  # largest distance of the outline from the polygon
-    hole_circle_radius: float  # R of the holes' centres
-    hole_centres: FloatArray  # anticlockwise from the hole of the first pin, shape (N, 2)
-    hole_radius: float  # r_out
+    holes: DrawnHoles | None  # None if neither pins nor holes are given
     bore_radius: float | None  # None if not given
 
 
@@ -139,10 +146,17 @@ def drawn_pair(*, design: Design) -> InvolutePair:
         raise
 
 
-def _refuse_in_pieces(
-    *, roots: float, circle: float, holes: int, radius: float, bore: float
-) -> None:
-    """Refuse holes that break into the tooth roots, each other or the bore; radii in m."""
+def _holes(*, design: Design, eccentricity: float, roots: float, bore: float) -> DrawnHoles | None:
+    """Holes of a satellite, if pins or holes are given.
+
+    Raises InvalidInput for holes that break into the tooth roots, each other or the bore, radii in
+    m; NotKnown if a size of them is not known.
+    """
+    if not design.touching:
+        return None
+    _ = design.known_clearance  # refuses a hole of perfect parts, whose clearance is not known
+    circle, pair, built = design.pin_circle_radius, design.pair, design.built
+    holes, radius = built.pins, pair.hole_radius
     name, apart = "load.pin_circle_radius", radius / math.sin(math.pi / holes) if holes > 1 else 0.0
     if circle >= roots - radius:
         raise InvalidInput(name, circle, "less_than", limit=roots - radius)
@@ -150,12 +164,21 @@ def _refuse_in_pieces(
         raise InvalidInput(name, circle, "greater_than", limit=apart)
     if bore >= circle - radius:
         raise InvalidInput("satellite_body.bore_radius", bore, "less_than", limit=circle - radius)
+    geometry = pin_geometry(
+        mechanism=built,
+        crank_angle=0.0,
+        pin_circle_radius=circle,
+        pin_radius=pair.pin_radius,
+        hole_radius=radius,
+        eccentricity=eccentricity,
+    )
+    return DrawnHoles(circle, geometry.pin_centres, radius)
 
 
 def drawn_satellites(
     *, design: Design, numbers: tuple[int, ...], chord_error: float
 ) -> tuple[DrawnSatellite, ...]:
-    """Satellites of a design as they are drawn.
+    """Satellites of a design as they are drawn, without holes if no pins are given.
 
     Parameters
     ----------
@@ -174,7 +197,7 @@ def drawn_satellites(
     ImpossibleMechanism
         See `core.ring.tooth_outline.satellite_outline`.
     """
-    built, pair, involute = design.built, design.pair, design.gear.kind == "involute"
+    involute = design.gear.kind == "involute"
     most = MOST_POINTS // len(numbers)
     if involute:
         teeth = drawn_pair(design=design)
@@ -182,16 +205,6 @@ def drawn_satellites(
     else:
         disc = drawn_disc(design=design)
         eccentricity = disc.eccentricity
-    _ = design.known_clearance  # refuses a hole of perfect parts, whose clearance is not known
-    circle, start = design.load.pin_circle_radius, built.initial_crank_angle
-    geometry = pin_geometry(
-        mechanism=built,
-        crank_angle=0.0,
-        pin_circle_radius=circle,
-        pin_radius=pair.pin_radius,
-        hole_radius=pair.hole_radius,
-        eccentricity=eccentricity,
-    )
     if involute:
         tooth = named(
             design,
@@ -207,16 +220,11 @@ def drawn_satellites(
         )
         points, error = own.points @ np.array([1, 1j]), own.chord_error
     bore = if_known(lambda: design.bore_radius)
-    _refuse_in_pieces(
-        roots=float(np.abs(points).min()),
-        circle=circle,
-        holes=built.pins,
-        radius=pair.hole_radius,
-        bore=bore or 0.0,
-    )
-    found = []
+    roots = float(np.abs(points).min())
+    holes = _holes(design=design, eccentricity=eccentricity, roots=roots, bore=bore or 0.0)
+    found, start = [], design.mechanism.initial_crank_angle
     for number in numbers:
-        crank = built.crank_angles[number - 1]
+        crank = design.crank_angles[number - 1]
         turn = _turn(design, crank)
         (centre,) = _plane(1j * eccentricity * np.exp(-1j * np.array([start + crank])))
         found.append(
@@ -226,9 +234,7 @@ def drawn_satellites(
                 turn=turn,
                 outline=_plane(points * np.exp(1j * turn)),
                 chord_error=error,
-                hole_circle_radius=circle,
-                hole_centres=geometry.pin_centres,
-                hole_radius=pair.hole_radius,
+                holes=holes,
                 bore_radius=bore,
             )
         )
@@ -240,7 +246,7 @@ def drawn_ring_pins(*, design: Design) -> DrawnRingPins:
 
     Raises NotKnown if a size is not known, InvalidInput if no disc rolls on them.
     """
-    disc, start = drawn_disc(design=design), design.built.initial_crank_angle
+    disc, start = drawn_disc(design=design), design.mechanism.initial_crank_angle
     step = 2 if design.cycloid.every_second_pin else 1
     around = 2 * math.pi * np.arange(0, disc.pins, step) / disc.pins - start
     return DrawnRingPins(
@@ -262,7 +268,7 @@ def drawn_ring(*, design: Design, chord_error: float) -> DrawnRing:
     ImpossibleMechanism
         See `core.ring.tooth_outline.ring_outline`.
     """
-    pair, start = drawn_pair(design=design), design.built.initial_crank_angle
+    pair, start = drawn_pair(design=design), design.mechanism.initial_crank_angle
     pitch = named(design, "gear", lambda: ring_outline(pair=pair, chord_error=chord_error))
     return DrawnRing(
         teeth=pitch.teeth,
@@ -275,28 +281,28 @@ def drawn_ring(*, design: Design, chord_error: float) -> DrawnRing:
 
 def drawn_teeth(*, design: Design, chord_error: float) -> DrawnTeeth:
     """Pitches of the involute satellites and the ring of a design; raises as `drawn_ring` does."""
-    pair, built = drawn_pair(design=design), design.built
+    pair, own = drawn_pair(design=design), design.mechanism
     return DrawnTeeth(
         lobe=satellite_outline(pair=pair, chord_error=chord_error).points,
-        turns=tuple(_turn(design, crank) for crank in built.crank_angles),
+        turns=tuple(_turn(design, crank) for crank in design.crank_angles),
         ring_lobe=ring_outline(pair=pair, chord_error=chord_error).points,
-        ring_turn=-built.initial_crank_angle,
+        ring_turn=-own.initial_crank_angle,
     )
 
 
 def drawn_mesh(*, design: Design, mesh: CycloidMesh, chord_error: float) -> DrawnMesh:
     """Discs of a design on the pins of their ring, as `mesh` has them; `chord_error` in m."""
-    disc, made, built = mesh.disc, mesh.deviations, design.built
+    disc, made, start = mesh.disc, mesh.deviations, design.mechanism.initial_crank_angle
     lobe = None
     if disc.modification.rotation == 0:
         points = outline_points(disc=disc, chord_error=chord_error).points
         lobe = points[: len(points) // disc.satellite_teeth]
     radial, tangential, larger, *_ = made.each(pins=disc.pins, satellites=len(mesh.crank_angles))
-    around = 2 * math.pi * np.arange(disc.pins) / disc.pins - built.initial_crank_angle
+    around = 2 * math.pi * np.arange(disc.pins) / disc.pins - start
     place = disc.ring_pin_circle_radius + np.array(radial) + 1j * np.array(tangential)
     return DrawnMesh(
         lobe=lobe,
-        turns=tuple(_turn(design, crank) for crank in built.crank_angles),
+        turns=tuple(_turn(design, crank) for crank in design.crank_angles),
         pin_centres=_plane(1j * place * np.exp(1j * around)),
         pin_radii=disc.ring_pin_radius + np.array(larger),
     )
@@ -307,7 +313,7 @@ def _turn(design: Design, crank: float) -> float:
     valley, or a tooth, that faced the crank at first.
     """
     half = math.pi / design.lobes if design.gear.kind == "involute" else 0.0
-    return crank / design.mechanism.ratio + half - design.built.initial_crank_angle
+    return crank / design.mechanism.ratio + half - design.mechanism.initial_crank_angle
 
 
 def _plane(points: ComplexArray) -> FloatArray:

@@ -80,7 +80,7 @@ class LossResults:
             mechanism=design.driven,
             force_exponent=load.force_exponent,
             output_torque=design.pin_torque,
-            pin_circle_radius=load.pin_circle_radius,
+            pin_circle_radius=design.pin_circle_radius,
             input_speed=speeds.turning,
             eccentricity=eccentricity,
             pin_radius=design.contact.pin_radius,
@@ -97,7 +97,7 @@ class LossResults:
             found = replace(found, notices=(*found.notices, Notice("thin_without_sleeve")))
         if not turns:
             return found
-        reference = design.pin_torque / load.pin_circle_radius
+        reference = design.pin_torque / design.pin_circle_radius
         largest = max(float(np.abs(turn.on_pins).max()) for turn in turns)
         return made_losses(losses=found, turn=self.turn, reference=reference, largest=largest)
 

@@ -14,6 +14,7 @@ class OutputForces(Protocol):
 
     design: Design
     solved: bool
+    bounded: bool
 
     @property
     def in_series(self) -> bool:

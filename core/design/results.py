@@ -1,5 +1,6 @@
 """Results of a design; each is calculated once or raises `NotKnown` with the reason."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
@@ -79,11 +80,13 @@ class Results:
     equal : bool
         True ignores the bending of pins, so that satellites of perfect parts share the load
         equally, as the papers assume.
+    bounded : bool
+        False solves forces of any number of pairs, as the caller has limits of its own.
     """
 
-    def __init__(self, design: Design, *, equal: bool = False) -> None:
+    def __init__(self, design: Design, *, equal: bool = False, bounded: bool = True) -> None:
         self.design = design
-        self.shared_equally = equal
+        self.shared_equally, self.bounded = equal, bounded
         self.solved = design.as_made or (design.bends and not equal)
         """True if checks judge forces solved over the turn, with clearance, deviations, elastic
         satellites or bent pins; False if they judge ideal forces."""
@@ -91,7 +94,7 @@ class Results:
     @cached_property
     def in_series(self) -> bool:
         """True if both meshes are solved in series, which takes at most `MOST_IN_SERIES` forces."""
-        return 0 < self.forces_in_series <= MOST_IN_SERIES
+        return 0 < self.forces_in_series <= (MOST_IN_SERIES if self.bounded else math.inf)
 
     @property
     def uneven(self) -> bool:
@@ -114,6 +117,11 @@ class Results:
     def series(self) -> MeshesInSeries:
         """Both meshes in series."""
         return MeshesInSeries(self.ring.mesh, self.real)
+
+    @property
+    def stage(self) -> RealMechanism | MeshesInSeries:
+        """Part that transmits the torque as it is made: the output mechanism, or both meshes."""
+        return self.series if self.in_series else self.real
 
     @cached_property
     def ring(self) -> RingResults:
@@ -144,7 +152,7 @@ class Results:
 
     def under(self, factor: float) -> "Results":
         """Results with working and peak torque multiplied by a factor."""
-        torque, peak = self.design.load.output_torque * factor, self.design.load.peak_torque
+        torque, peak = self.design.output_torque * factor, self.design.load.peak_torque
         more = {"load.output_torque": torque, "load.peak_torque": peak and peak * factor}
         return Results(changed(self.design, more), equal=self.shared_equally)
 
@@ -175,7 +183,7 @@ class Results:
     def member_loads(self) -> MemberLoads:
         """Torques, speeds and powers of crank, pins and ring, without losses."""
         design = self.design
-        torque = design.load.output_torque
+        torque = design.output_torque
         return design.members.loads(output_torque=torque, speeds=design.speeds)
 
     @derived
@@ -184,18 +192,18 @@ class Results:
         load = self.design.load
         return contact_force(
             output_torque=self.design.pin_torque,
-            pin_circle_radius=load.pin_circle_radius,
+            pin_circle_radius=self.design.pin_circle_radius,
             force_exponent=load.force_exponent,
             mechanism=self.design.driven,
         )
 
     @derived
     def rooms(self) -> Rooms:
-        """Positions of pins in holes by geometry, for at most `MOST_REAL_PAIRS` pairs."""
+        """Positions of pins in holes by geometry; at most `MOST_REAL_PAIRS` pairs if bounded."""
         design = self.design
-        radius, pair = design.load.pin_circle_radius, design.pair
+        radius, pair = design.pin_circle_radius, design.pair
         most = MOST_GIVING_PAIRS if design.support.gives else MOST_REAL_PAIRS
-        if design.pairs > most:
+        if self.bounded and design.pairs > most:
             raise design.too_many(most)
         eccentricity = design.contact.eccentricity
         if eccentricity is None:
@@ -373,7 +381,7 @@ class Results:
             "mechanism": self.design.built,
             "force_exponent": load.force_exponent,
             "output_torque": self.design.pin_torque,
-            "pin_circle_radius": load.pin_circle_radius,
+            "pin_circle_radius": self.design.pin_circle_radius,
             "torque_direction": load.torque_direction,
             "made": self.made if self.solved else None,
         }

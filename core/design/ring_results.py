@@ -9,7 +9,7 @@ from core.crank.ring_mesh import RingMesh
 from core.design.output_forces import OutputForces
 from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
-from core.design.ring import RingBody
+from core.design.ring import InvoluteRing, RingBody
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, NotKnown, derived, if_known, required
 from core.hertz import Body, first_yield
@@ -77,7 +77,7 @@ class RingResults:
         if design.support.given_shares:
             shares = design.satellite_coupling
         pairs = design.ring_pins * design.mechanism.satellites
-        if pairs > MOST_RING_PAIRS:
+        if self.output.bounded and pairs > MOST_RING_PAIRS:
             raise NotKnown("too_many_ring_pairs", pairs=pairs, limit=MOST_RING_PAIRS)
         disc = self._of_ring(
             lambda: gear.disc(satellite_teeth=design.lobes, eccentricity=design.known_eccentricity)
@@ -85,7 +85,7 @@ class RingResults:
         return self._of_ring(
             lambda: gear.cycloid_mesh(
                 disc=disc,
-                crank_angles=design.built.crank_angles,
+                crank_angles=design.crank_angles,
                 contact_length=length,
                 disc_material=material,
                 law=gear.law,
@@ -97,10 +97,22 @@ class RingResults:
     @derived
     def pair(self) -> InvolutePair:
         """Mesh of involute satellite and ring, with known profile shifts and tooth heights."""
-        design, gear = self.design, self.design.involute
+        assert self._involute
+        eccentricity = self.design.known_eccentricity
+        assert self.force  # refuses base circles
+        return self.pair_at(eccentricity)
+
+    @property
+    def _involute(self) -> InvoluteRing:
+        """Involute teeth whose profile shifts and heights are known."""
+        gear = self.design.involute
         if gear.unknown_teeth:
             raise NotKnown("teeth_not_judged", *gear.unknown_teeth)
-        eccentricity, _ = design.known_eccentricity, self.force  # `force` refuses base circles
+        return gear
+
+    def pair_at(self, eccentricity: float | None) -> InvolutePair:
+        """Mesh of involute satellite and ring at an eccentricity, m; None: without backlash."""
+        design, gear = self.design, self._involute
         low, high = STANDARD_ANGLES
         usual = low <= gear.reference_pressure_angle <= high
         if gear.teeth_difference > MOST_DIFFERENCE or not usual:

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import ClassVar, Literal, NamedTuple, get_args
+from typing import ClassVar, Literal, get_args
 
 from core.bearings import BEARINGS
 from core.crank.balance import Counterweight
@@ -25,17 +25,12 @@ from core.fatigue import (
     surface_factor,
 )
 from core.fields import LARGEST, Forms, Rule, optional_size, quantity, size
-from core.hertz import ElasticMaterial
 from core.output.elasticity import PinSupport
 from core.output.mechanism import MAX_SATELLITES, Output
 from core.output.pin_bolt import PinBolt
 from core.output.pin_fatigue import FatigueStrength
 from core.output.sampled_turn import Direction
 from core.precision import SAME
-
-SharedBy = Literal["discs", "pins"]
-"""Origin of an uneven share that a load-sharing factor states: satellites ("discs"), or pins of one
-satellite."""
 
 PeakKind = Literal["start", "emergency"]
 
@@ -58,64 +53,84 @@ MAX_WEIGHTS = 20
 """Largest number of counterweights."""
 
 
+MAX_PAIRS = 10_000
+"""Largest number of pairs (pins times satellites) of a mechanism."""
+
+angle = partial(quantity, unit="deg", ge=-3600, le=3600)
+"""Angle of up to ten turns."""
+
+speed_of_both = partial(
+    quantity, unit="rpm", default=None, step=10, advanced=True, ge=-1e6, le=1e6, or_zero=True
+)
+"""Speed with a sign for its sense."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MechanismSection:
     """Pins, satellites and cranks."""
 
-    pins: int  # N
-    satellites: int  # K
+    pins: int | None = quantity("Pins", "N", default=None, step=1, ge=1, le=MAX_PAIRS)
+    """Number of pins of the output link, evenly spaced on the pin circle."""
+    satellites: int = quantity("Satellites", "K", default=2, step=1, ge=1, le=MAX_SATELLITES)
+    """Number of satellites, each on its own crank."""
+    crank_spacing: float | None = angle("Crank spacing", "α", default=None, step=15)
+    """Angle between neighbouring cranks; 360°/K where not given."""
+    crank_angles: tuple[float, ...] = angle(
+        "Crank angles", "α₁ … α_K", default=(), lengths=((1, MAX_SATELLITES),)
+    )
+    """Angle of each crank, one for each satellite, instead of an even spacing."""
     ratio: float  # u; infinite for a coupling
-    output: Output = "pins"
-    crank_spacing: float | None = None  # between neighbouring cranks, rad; None: even spacing
-    crank_angles: tuple[float, ...] = ()  # angle of each crank, rad, in place of a spacing
-    initial_crank_angle: float = 0.0  # wave angle at crank angle 0, rad
-    satellite_teeth: int | None = None  # z2
+    output: Output = "pins"  # link that turns the output
+    initial_crank_angle: float = angle(
+        "Initial wave angle", "φ₀", default=0.0, step=15, advanced=True
+    )
+    """Wave angle at the crank angle 0: 0° by the sign convention of Yanchevskiy 2021, 180° by that
+    of Yanchevsky 2018; 180° also equals a reversed torque."""
+    satellite_teeth: int | None = quantity(
+        "Satellite teeth", "z₂", default=None, step=1, ge=1, le=10**6
+    )
+    """Number of teeth of a satellite, from which the ratio and the assembly angles follow."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Load:
     """Torque of the output with its direction, lever and speeds."""
 
-    output_torque: float  # output torque, N*m; torque of the pins if pins and ring are both outputs
-    pin_circle_radius: float  # R, m
-    force_exponent: float = 1.0  # v, exponent of the approach in the force
-    torque_direction: Direction = "driving"  # "alternating" judges the worse direction
-    input_speed: float | None = None  # speed of the crank, rad/s
-    application_factor: float = 1.0  # K_A on stresses
-    peak_torque: float | None = None  # for static strength, N*m; None: torque times K_A
-    peak_kind: PeakKind = "start"  # event at which the peak torque acts
-    # Speed of the ring if pins and ring are both outputs, positive as the crank turns, rad/s.
-    ring_speed: float | None = None
-    carrier_speed: float | None = None  # speed of the pins, given in place of the ring's, rad/s
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("ring_speed",), ("carrier_speed",), ()),)
+
+    output_torque: float | None = optional_size("Output torque", "T", "Nm", step=10)
+    """Torque of the output; the torque on the pins if ring and pins are both outputs."""
+    pin_circle_radius: float | None = optional_size("Pin circle radius", "R", "mm", step=1)
+    """Radius of the circle of pin centres."""
+    force_exponent: float = quantity("Force exponent", "v", default=1.0, step=0.1, ge=0, le=1e6)
+    """Exponent v in force ∝ approach^v: 0 for equal sharing, 1 for linear contacts, 10/9 and 3/2
+    for the usual contact laws."""
+    torque_direction: Direction = quantity("Direction of the torque", default="driving")
+    """Driving: the satellites turn the pins; reverse: the load turns the pins back; alternating:
+    both directions are solved, and the answer gives the worse one."""
+    input_speed: float | None = optional_size("Input speed", "n₁", "rpm", step=50)
+    """Speed of the crankshaft."""
+    application_factor: float = size(
+        "Application factor", "K_A", default=1.0, step=0.05, silent=True
+    )
+    """Factor on the torque for stresses and pressures, not for losses, wear and the life of
+    bearings; 1 where not given."""
+    peak_torque: float | None = optional_size("Peak torque", "T_max", "Nm", step=10)
+    """Largest torque, for static strength, at least the torque times the application factor, which
+    is also the default."""
+    peak_kind: PeakKind = quantity("Kind of the peak", default="start", advanced=True)
+    """Event of the peak torque: a start, which happens again and again and needs a static safety of
+    bearings of 1.5, or an emergency stop, which needs 1."""
+    ring_speed: float | None = speed_of_both("Ring speed", "n_r")
+    """Speed of the ring if ring and pins are both outputs, positive in the sense of the crank."""
+    carrier_speed: float | None = speed_of_both("Speed of the pins", "n_c")
+    """Speed of the pins if ring and pins are both outputs, positive in the sense of the crank;
+    given instead of the ring's speed."""
 
     @property
     def by_ring(self) -> bool:
         """True if the speed of the ring is given, not that of the pins."""
         return self.ring_speed is not None
-
-
-class PairSizes(NamedTuple):
-    """Sizes of a pair of pin and hole, m."""
-
-    contact_length: float  # b
-    pin_radius: float  # r_in
-    hole_radius: float  # r_out
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Contact:
-    """Pin, hole and eccentricity with their materials; pins are left out for a crank alone."""
-
-    contact_length: float | None = None  # b, m
-    pin_radius: float | None = None  # r_in, m
-    hole_radius: float | None = None  # r_out, m
-    eccentricity: float | None = None  # e, m
-    pin_material: ElasticMaterial | None = None  # material of the pin's surface, or of its sleeve
-    hole_material: ElasticMaterial | None = None  # material of the satellite
-    distribution_factor: float = 1.0  # K_alpha, load-sharing factor on the largest force
-    distribution_of: SharedBy | None = None  # origin of that factor; None: discs if several
-    clearance_stated: bool = False  # True if a clearance is stated, which may be 0
-    iso_fit: str = ""  # fit of the clearance, such as H7/f7; empty if stated as a number
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -237,12 +252,14 @@ class Requirements:
 class DesignPin(PinSupport):
     """Pin with its support, section and strength; see `core.output.elasticity.PinSupport`."""
 
-    contact_length: float | None = None  # along the pin, m; None: that of the contact
-    rotates: bool = False  # True if the pin turns in the carrier
+    contact_length: float | None = optional_size("Contact length", "b", "mm", step=1)
+    """Length of the contact along the pin, which is the width of the satellite."""
+    rotates: bool = quantity("Pin rotates", default=False)
+    """True if the pin turns in the carrier, so that its bending is fully reversed."""
     tensile_strength: float | None = None  # tensile strength of the material, Pa
     steel: bool = False  # True if a rule of the endurance limit exists for the material
     valid_diameter: float | None = None  # largest diameter that the strengths hold for, m
-    bolt: PinBolt | None = None  # bolt through the pin, which is a spacer then
+    bolt: PinBolt | None = quantity(default=None)  # bolt through the pin, which is a spacer then
     material_path: str = "pin.material"  # path of the material in the design
 
     @property

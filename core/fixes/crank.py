@@ -73,7 +73,7 @@ def _too_wide(design: Design, fix: Fix) -> bool:
     Without ring pins, the limits are the pin circle and ten times its size.
     """
     widens = fix.variable == "load.pin_circle_radius"
-    wide = design.load.pin_circle_radius * (10 if widens else 1)
+    wide = design.pin_circle_radius * (10 if widens else 1)
     if isinstance(design.gear, CycloidRing):
         wide = design.gear.ring_pin_circle_radius
     widens |= fix.variable.endswith("contact_length")

@@ -162,15 +162,28 @@ RIGID_PINS = Pins()
 class PinSupport(Pins):
     """Elastic pins: how they are held, and where the satellites load them."""
 
-    # Held at one end, simply supported or clamped at both, or held at one end and joined to a tie
-    # ring at the other.
-    support: Support
-    diameter: float  # d of the pin itself, m, > 0
-    satellite_positions: tuple[float, ...]  # middles z_j from the support, m, > 0
-    material: ElasticMaterial  # material of the pin
-    span: float | None = None  # L between supports or to the tie ring, m; needed for both
-    bore_diameter: float = 0.0  # d_i of the bore, m, from 0 to 0.95 d
-    ring_joint: RingJoint = "pinned"  # joint of a tie ring to the pins
+    support: Support = quantity("Support", filled=True)
+    """Support of the pin: one end fixed (cantilever), both ends free to tilt (supported), both ends
+    built in (fixed), or one end fixed and the other ends joined by a free ring (tie ring). The true
+    support of a cage lies between supported and fixed; a tie ring supports less."""
+    diameter: float = size("Pin diameter", "d", "mm", step=0.5, filled=True)
+    """Diameter of the pin itself, inside its sleeve or its rollers where it has them."""
+    satellite_positions: tuple[float, ...] = size(
+        "Places of the satellites", "z₁ … z_K", "mm", lengths=((1, MAX_SATELLITES),), filled=True
+    )
+    """Middle plane of each satellite, from the face of the carrier."""
+    material: ElasticMaterial = quantity("Material of the pin", filled=True)
+    """Name in the table of materials, or values; the pin material of the contact if not given."""
+    span: float | None = optional_size("Span", "L", "mm", step=1)
+    """Distance between the two supports, or from the carrier to the middle of the tie ring; not for
+    a cantilever."""
+    bore_diameter: float = quantity(
+        "Bore of the pin", "d_i", "mm", default=0.0, step=0.5, ge=0, le=LARGEST, or_zero=True
+    )
+    """Diameter of the pin's bore, up to 0.95 of the pin diameter; 0 for a solid pin."""
+    ring_joint: RingJoint = quantity("Joint of the tie ring", default="pinned", silent=True)
+    """Joint of the pins' ends to the tie ring: free to turn (pinned), which is the default, or
+    clamped."""
 
     @property
     def section(self) -> PinSection:

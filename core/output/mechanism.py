@@ -599,9 +599,6 @@ def pin_fit(
     return PinFit(eccentricity=eccentricity, clearance=clearance, notices=notices)
 
 
-SLIPPED = ("pin_radius", "hole_radius", "eccentricity")
-"""Sizes that `slip_notices` asks about."""
-
 LIKE_BEARING = 0.3
 """Pin radius over pin circle radius from which few pins are as thick as an RV's crank bearings."""
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from core.arrays import check_positive
 from core.errors import InvalidInput
+from core.fields import optional_size, quantity, size
 from core.hertz import ElasticMaterial
 from core.output.pin_section import PinSection
 
@@ -27,10 +28,19 @@ SLIP_SAFETY = 1.2
 class PinBolt:
     """Bolt through a spacer, from the carrier to its head or nut."""
 
-    core_diameter: float  # core diameter of the thread, m, > 0
-    preload: float | None = None  # F_v after tightening, N, > 0; None if unknown
-    preload_scatter: float = 1.8  # largest over least preload of the tightening method, >= 1
-    friction_coefficient: float = 0.15  # mu of the spacer on the carrier, > 0
+    core_diameter: float = size("Core of the bolt", "d_3", "mm", step=0.1)
+    """Core diameter of the bolt's thread: 2.46 mm for M3, 3.24 for M4, 4.13 for M5, 4.92 for M6,
+    6.65 for M8."""
+    preload: float | None = optional_size("Preload", "F_v", "N", step=100)
+    """Preload of the bolt after tightening; without a preload the bolt alone counts as the pin."""
+    preload_scatter: float = quantity(
+        "Scatter of the preload", "α_A", default=1.8, step=0.1, ge=1, le=10
+    )
+    """Largest over least preload by the way of tightening; 1.6 to 2 with a torque wrench."""
+    friction_coefficient: float = quantity(
+        "Friction on the carrier", "μ", default=0.15, step=0.01, ge=0.01, le=1
+    )
+    """Friction coefficient of the spacer on the carrier, which keeps the spacer from slipping."""
     material: ElasticMaterial | None = None  # material of the core, with Re; or the spacer's
     tensile_strength: float | None = None  # Rm of that material, Pa
     steel: bool = False  # True for a steel, as `DesignPin` defines it

@@ -32,8 +32,8 @@ IN_RADIANS = {"note": "turns_in_radians"}
 def _sheet(results: Results, found: object, at: int | None = None) -> Sheet:
     """Sheet on which torque, sizes, ratio and speed are known."""
     sheet, design = Sheet(found, at), results.design
-    take_torque(sheet, members=design.members, output_torque=design.load.output_torque)
-    sheet.read(design.load, R="pin_circle_radius")
+    take_torque(sheet, members=design.members, output_torque=design.output_torque)
+    sheet.read(design, R="pin_circle_radius")
     sheet.read(design.contact, e="eccentricity")
     sheet.read(design.mechanism, u="ratio")
     sheet.take("K_alpha", "distribution_factor", design.disc_factor)
@@ -205,7 +205,7 @@ def _loads(
         ideal_turn,
         mechanism=design.built,
         force_exponent=design.load.force_exponent,
-        pin_circle_radius=design.load.pin_circle_radius,
+        pin_circle_radius=design.pin_circle_radius,
     )
     lever, largest = design.known_eccentricity * design.mechanism.ratio, []
     for way in WAYS[design.load.torque_direction]:

@@ -15,13 +15,13 @@ def loss_steps(results: Results) -> list[Step]:
         Results of a design with friction, or with rollers.
     """
     found, design = results.losses.pins, results.design
-    load, contact, friction = design.load, design.contact, design.output_friction
+    contact, friction = design.contact, design.output_friction
     radius, slow = ("r_in", "") if isinstance(found.rubbing, BarePins) else ("r_s", "*r_p/r_s")
     sheet = Sheet(found)
     wave = sheet.take_ratio(design.mechanism.ratio)
     take_speed(sheet, results=results)
-    take_torque(sheet, members=design.members, output_torque=load.output_torque)
-    sheet.read(load, R="pin_circle_radius")
+    take_torque(sheet, members=design.members, output_torque=design.output_torque)
+    sheet.read(design, R="pin_circle_radius")
     sheet.read(contact, e="eccentricity", b="contact_length", r_out="hole_radius")
     sheet.read(contact, **{radius: "pin_radius"})
     if design.rollers:

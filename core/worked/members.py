@@ -55,12 +55,13 @@ def member_steps(results: Results) -> list[Step]:
     results : Results
         Results of a design with a load.
     """
-    found, members, load = results.member_loads, results.design.members, results.design.load
+    found, design = results.member_loads, results.design
+    members = design.members
     if members.output == "coupling":
         return []
     sheet = Sheet(found)
     sheet.take_ratio(members.ratio)
-    take_torque(sheet, members=members, output_torque=load.output_torque)
+    take_torque(sheet, members=members, output_torque=design.output_torque)
     sheet.work("crank_torque", "T_1", "T/u")
     sheet.work("ring_torque", "T_3", "-(T+T_1)")
     sheet.work("output_ratio", "i", "-T/T_1" if members.output == "pins" else "-T_3/T_1")
@@ -72,7 +73,7 @@ def member_steps(results: Results) -> list[Step]:
             ("n_c", "carrier_speed", speeds.carrier),
         ):
             sheet.take(symbol, quantity, value)
-        if members.output == "pins" or load.by_ring:
+        if members.output == "pins" or design.load.by_ring:
             formula = "((u+1)*n_r-n_in)/u"
             sheet.work("carrier_speed", "n_c", formula, speeds.carrier, note="willis")
         else:

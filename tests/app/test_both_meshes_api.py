@@ -58,8 +58,10 @@ async def test_curves_pass_through_the_positions(api):
         answer["stiffness_curve"],
         answer["positions"][0],
     )
-    assert curves["rotation_arcmin"][1] == lag["rotation_arcmin"][1] == position["rotation_arcmin"]
-    assert curves["reverse_rotation_arcmin"][1] == lag["rotation_arcmin"][0] < 0
+    lags = [curves["rotation_arcmin"][1], lag["rotation_arcmin"][1]]
+    assert lags == pytest.approx([position["rotation_arcmin"]] * 2, rel=EXACT)
+    back = lag["rotation_arcmin"][0]
+    assert curves["reverse_rotation_arcmin"][1] == pytest.approx(back, rel=EXACT) and back < 0
     forces = [force[1] for force in curves["force_N"]]
     assert forces == pytest.approx([each for row in position["force_N"] for each in row], rel=SAME)
     assert max(map(max, position["pressure_MPa"])) == pytest.approx(position["max_pressure_MPa"])
@@ -83,9 +85,18 @@ async def test_the_ring_gives_by_its_own_law(api):
     body = changed(without=[("gear", "contact_law"), ("gear", "modification")])
     answer = await answered(api, body)
     assert "modification_unknown" in [each["code"] for each in answer["warnings"]]
-    del body["gear"]["pin_material"]
+    assert "ring" not in answer["positions"][0]
+    body = changed(without=[("gear", "pin_material")])
     assumed = (await answered(api, body))["assumed"]
     assert [each["pointer"] for each in assumed] == ["/gear/pin_material"]
+
+
+async def test_both_meshes_are_in_series_unless_the_coupling_says_otherwise(api):
+    plain = await answered(api, BASE)
+    unsaid = await answered(api, changed(without=[("satellite_coupling",)]))
+    assert unsaid["positions"] == plain["positions"]
+    rigid = await answered(api, BASE | {"satellite_coupling": {"kind": "rigid"}})
+    assert "ring" not in rigid["positions"][0]
 
 
 async def test_a_torque_that_alternates_is_answered_by_its_worse_direction(api):
@@ -189,16 +200,13 @@ async def test_the_figure(api):
 @pytest.mark.parametrize(
     ("body", "pointer", "code"),
     [
-        (changed(without=[("gear",)]), "/gear", "needed_beside"),
-        (changed(without=[("satellite_coupling",)]), "/gear", "of_another_kind"),
-        (changed(satellite_coupling={"kind": "rigid"}), "/gear", "of_another_kind"),
-        (changed(without=[("satellite_coupling",), ("gear",)]), "/deviations/ring_pin_radial_mm",
-         "of_another_kind"),
-        (changed(gear={"kind": "involute"}), "/gear/kind", "outside_method"),
-        (changed(gear={"module_mm": 2.0}), "/gear/module_mm", "extra_forbidden"),
-        (changed(mechanism={"ring_teeth": 22}), "/mechanism/ring_teeth", "not_this_cycloid"),
-        (changed(without=[("mechanism", "satellite_teeth"), ("mechanism", "ring_teeth")],
-                 mechanism={"ratio": 20}), "/mechanism/satellite_teeth", "needed_beside"),
+        (changed(without=[("gear",), ("deviations",)]), "/gear", "needed_beside"),
+        (changed(without=[("satellite_coupling",), ("gear",)]), "/gear", "needed_beside"),
+        (changed(without=[("deviations",)]) | {"gear": {"kind": "none"}}, "/gear/kind",
+         "outside_method"),
+        (changed(gear={"module_mm": 2.0}), "/gear/module_mm", "of_another_kind"),
+        (changed(mechanism={"ring_teeth": 22}, without=[("deviations",)]), "",
+         "outside_method"),
         (changed(deviations={"ring_pin_radial_mm": [0.0]}), "/deviations/ring_pin_radial_mm",
          "different_length"),
         (changed(deviations={"pin_radial_mm": [0.0]}), "/deviations/pin_radial_mm",

@@ -351,3 +351,23 @@ def test_the_smallest_chord_error_that_is_said_is_drawn():
     assert 190_000 < sum(len(part.outline) for part in parts[:3]) <= 200_000
     (alone,) = DxfRequest(**body | {"parts": ALL[2:3]}).drawn()
     assert len(alone.outline) > 70_000
+
+
+async def test_a_disc_without_pins_is_drawn_without_holes(api):
+    body = {"design": deepcopy(UNEVEN), "parts": ["satellite_1"]}
+    whole = ezdxf.read(io.StringIO((await api.post(PATH, json=body)).text)).modelspace()
+    design = body["design"]
+    del design["load"], design["mechanism"]["pins"]
+    design["contact"] = {"eccentricity_mm": 2.5}
+    answer = await api.post(PATH, json=body)
+    assert answer.status_code == 200, answer.text
+    plain = ezdxf.read(io.StringIO(answer.text)).modelspace()
+    assert len(whole.query('CIRCLE[layer=="HOLES"]')) == 5
+    assert not plain.query('CIRCLE[layer=="HOLES"]')
+    outlines = [
+        [*each.query('LWPOLYLINE[layer=="OUTLINE"]').first.vertices()] for each in (whole, plain)
+    ]
+    assert outlines[0] == outlines[1]
+    design["contact"] |= {"pin_radius_mm": 4.0, "contact_length_mm": 10.0, "fit": "H7/f7"}
+    (error,) = (await api.post(PATH, json=body)).json()["errors"]
+    assert error["pointer"] in ("/design/load/pin_circle_radius_mm", "/design/load")

@@ -341,8 +341,6 @@ async def test_accuracy_is_stated(api):
         ({"mechanism": {"pins": 121, "ratio": 20}}, "/mechanism/pins", "too_many_pairs"),
         ({"mechanism": {"pins": 60, "ratio": 20}, "include": ["positions"],
           "crank_angle_deg": [0.0] * 1000}, "/mechanism/pins", "too_many_pairs"),
-        ({"load": {"pin_circle_radius_mm": 40, "output_torque_Nm": 5}},
-         "/load/output_torque_Nm", "extra_forbidden"),
         ({"load": {"pin_circle_radius_mm": 2}}, "/contact/eccentricity_mm", "smaller_than"),
     ],
 )  # fmt: skip

@@ -102,11 +102,14 @@ UNDESCRIBED = re.compile("/input/|/requests/")
 
 BETWEEN_FIELDS = {
     "flanks_not_drawn",
+    "missing",
+    "moved_to",
     "needed_for",
     "needed_to_draw",
     "no_such_part",
     "no_tooth_form",
     "odd_ring_pins",
+    "of_another_kind",
     "of_other_output",
 }
 """Codes of rules between fields, which stand in their validators only."""

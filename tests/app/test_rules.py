@@ -9,10 +9,14 @@ import pytest
 from pydantic import TypeAdapter, ValidationError
 
 import app.registry
-from app.calculations.both_meshes import RingInSeriesFields
-from app.calculations.crank_planetary_sections import INVOLUTE_NEEDS, NEEDS, CrankPlanetaryRequest
+from app.calculations.crank_planetary_sections import (
+    INVOLUTE_NEEDS,
+    NEEDS_OF,
+    CrankPlanetaryRequest,
+)
+from app.calculations.document import DocumentFields
 from app.calculations.mechanism import PinContactFields
-from app.calculations.ring import RING_PIN_LISTS
+from app.calculations.sections import RING_PIN_LISTS
 from app.model import Maybe, RequestModel
 from app.rules import BROKEN, Rule
 
@@ -113,10 +117,12 @@ def test_rules_and_tables_are_of_fields_that_there_are():
     assert {rule.rule for _, rule in rules} == {*BROKEN}
     for model, rule in rules:
         assert any({rule.field, rule.other} <= _paths(each) for each in _models(model)), rule
-    for model in _models(RingInSeriesFields):
-        assert {*model.OF_A_RING} <= _paths(model)
+    for model in _models(DocumentFields):
+        needed = set(model.NEEDS).union(*model.NEEDED_OF.values(), model.NEEDED_OF)
+        assert needed <= _paths(model), model
+        assert DocumentFields.model_fields.keys() >= model.USES, model
     listed = {f"deviations/{name}" for name in RING_PIN_LISTS}
-    assert listed.union(INVOLUTE_NEEDS, *NEEDS.values()) <= _paths(CrankPlanetaryRequest)
+    assert listed.union(INVOLUTE_NEEDS, *NEEDS_OF.values()) <= _paths(CrankPlanetaryRequest)
 
 
 def _empty(schema, path=""):
@@ -144,7 +150,7 @@ def test_what_is_asked_whether_it_is_given_is_a_field():
         for call in ast.walk(ast.parse(file.read_text()))
         if isinstance(call, ast.Call)
         and isinstance(call.func, ast.Attribute)
-        and call.func.attr in ("says", "_has")
+        and call.func.attr in ("says", "has")
         and isinstance(call.args[0], ast.Constant)
     ]
     assert asked

@@ -11,10 +11,11 @@ from app.calculations.crank_planetary import WORKED
 from app.calculations.crank_planetary_answer import CrankPlanetaryResponse
 from app.calculations.crank_planetary_sections import (
     ANSWERS,
-    NEEDS,
+    NEEDS_OF,
     SECTIONS,
     CrankPlanetaryRequest,
 )
+from app.calculations.document import DocumentFields
 from app.examples import REQUESTS
 from app.model import Calculation, StudyCalculation
 from app.registry import CALCULATIONS
@@ -34,15 +35,16 @@ OF_OTHERS = {"crank-planetary", "solve", "tolerance-study", "work-precision"}
 
 
 def test_a_section_of_the_answer_is_in_all_tables() -> None:
-    assert {*SECTIONS} == NEEDS.keys() == ANSWERS.keys() | OF_THE_VERDICT
+    assert {*SECTIONS} == NEEDS_OF.keys() == ANSWERS.keys() | OF_THE_VERDICT
     assert {*SECTIONS} - {"largest_torque"} <= CrankPlanetaryResponse.model_fields.keys()
     assert WORKED.keys() <= ANSWERS.keys()
 
 
 def test_a_section_of_the_design_may_be_asked() -> None:
     asked = CrankPlanetaryRequest.model_fields.keys() - OF_THE_ANSWER
-    assert asked == {each.name for each in fields(Design)}
-    parts = {part.partition("/")[0] for needed in NEEDS.values() for part in needed}
+    assert asked == DocumentFields.model_fields.keys()
+    assert asked == {each.name for each in fields(Design)} | {"tolerances"}
+    parts = {part.partition("/")[0] for needed in NEEDS_OF.values() for part in needed}
     assert parts <= asked
 
 

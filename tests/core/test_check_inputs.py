@@ -596,13 +596,16 @@ TEETH = (
     "teeth under a factor",
     "teeth that press",
     "teeth of plastic",
-    "teeth in seats",
     "such teeth that press",
 )
 AS_MADE = {
     **{f"{name}, deviations": erring(each, **OF_PINS) for name, each in LOOSE.items()},
     **{f"{name}, elastic": having(each, crank_support=ELASTIC) for name, each in LOOSE.items()},
     **{name: erring(DESIGNS[name], **OF_RING, **OF_CRANKS) for name in TEETH},
+    "teeth in seats, stated sharing": erring(DESIGNS["teeth in seats"], **OF_RING),
+    "teeth in seats": erring(
+        having(DESIGNS["teeth in seats"], distribution_factor=1.0), **OF_RING, **OF_CRANKS
+    ),
     "cranks that deviate": erring(LOOSE["all"], **OF_CRANKS),
     "teeth on elastic cranks": having(TOOTHED, crank_support=ELASTIC, hole_radius=0.00802),
     "both meshes on elastic cranks": having(
@@ -612,6 +615,9 @@ AS_MADE = {
     ),
 }
 """Designs in which deviations are moved, or what gives on the cranks."""
+
+PERFECT = having(SERIES, hole_radius=0.010)
+"""Both meshes in series, until a sharing is stated: it is refused beside clearance."""
 
 INPUTS = {
     "pin.tensile_strength": "pin.material",
@@ -826,6 +832,8 @@ def seen() -> dict[tuple[str, str], bool]:
     for design in AS_MADE.values():
         with nullcontext() if TIMES > 1 else solved_once():
             look(design, found, OF_MADE)
+    with nullcontext() if TIMES > 1 else solved_once():
+        look(PERFECT, found, {"contact.distribution_factor"})
     return found
 
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from itertools import product
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,7 +16,9 @@ from core.crank.satellite_bearing import satellite_bearings
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import InvalidInput
+from core.output.elasticity import CrankSupport, HertzLaw
 from core.output.mechanism import Mechanism
+from core.output.room import Deviations
 from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.checks import REF, WHOLE, check_of, having
 from tests.inputs.satellites import mechanisms
@@ -139,9 +142,30 @@ def test_reactions_by_statics_with_vectors(mechanism: Mechanism, part: float, rh
     assert (peak <= found.peak_reaction * (1 + SEARCHED)).all()
 
 
-def test_a_factor_is_no_share_of_its_own_beside_solved_forces() -> None:
-    solved = having(REF, hole_radius=0.01002)
-    assert having(solved, distribution_factor=1.4).distribution_factor == 1
+@pytest.mark.parametrize(
+    "solved",
+    [
+        {"hole_radius": 0.01002},
+        {"deviations": Deviations(eccentricity=(1e-5, 0.0))},
+        {"crank_support": CrankSupport(stiffness=2e8)},
+        {"contact_law": HertzLaw()},
+    ],
+    ids=["clearance", "deviations", "elasticity", "law"],
+)
+def test_a_factor_is_refused_beside_solved_forces(solved: dict[str, Any]) -> None:
+    design = having(REF, **solved)
+    assert design.as_made
+    assert having(design, distribution_factor=1.0).distribution_factor == 1
+    with pytest.raises(InvalidInput) as refused:
+        having(design, distribution_factor=1.4)
+    assert refused.value.parameter == "contact.distribution_factor"
+    assert refused.value.code == "with_real_forces"
+
+
+def test_a_factor_stays_beside_deviations_of_the_ring_alone() -> None:
+    """Ring pins that deviate concern the ring's mesh, and leave the factor to pins in holes."""
+    made = Deviations(ring_pin_radial=(1e-5, *[0.0] * 20))
+    assert having(REF, deviations=made, distribution_factor=1.4).distribution_factor == 1.4
 
 
 @pytest.mark.parametrize(

@@ -10,11 +10,11 @@ import pytest
 from core.checks.check import Check
 from core.checks.crank_planetary import crank_check
 from core.checks.reserve import crank_verdict
+from core.design.contact import Contact
 from core.design.document import Design, changed
 from core.design.results import Results
 from core.design.ring import InvoluteRing
 from core.design.sections import (
-    Contact,
     DesignPin,
     FatigueBasis,
     Friction,

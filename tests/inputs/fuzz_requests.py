@@ -261,9 +261,9 @@ def output_efficiency(r: Draw) -> Body:
     body: Body = {"mechanism": mechanism(r), "load": torque, "include": include}
     if "samples" in torque:
         body["samples"] = torque.pop("samples")
-    torque["input_speed_rpm"] = number("DrivenLoadFields", "input_speed_rpm", (10, 3000))
+    torque["input_speed_rpm"] = number("DesignLoadFields", "input_speed_rpm", (10, 3000))
     sizes = ("contact_length_mm", "pin_radius_mm", "eccentricity_mm")
-    contact = {name: number("SlidingContactFields", name) for name in sizes}
+    contact = {name: number("PinContactFields", name) for name in sizes}
     if r.chance(0.3):
         wider = contact["eccentricity_mm"] * r.uniform(0.5, 2)
         contact["hole_radius_mm"] = min(1e12, contact["pin_radius_mm"] + wider)
@@ -285,7 +285,7 @@ def satellite_bearing(r: Draw) -> Body:
     torque = load(r)
     for name in ("include", "samples"):
         torque.pop(name, None)
-    torque["input_speed_rpm"] = number("DrivenLoadFields", "input_speed_rpm", (10, 3000))
+    torque["input_speed_rpm"] = number("DesignLoadFields", "input_speed_rpm", (10, 3000))
     if r.chance(0.3):
         torque["torque_direction"] = r.choice(("reverse", "alternating"))
     gear: Body = r.choice(
@@ -299,7 +299,7 @@ def satellite_bearing(r: Draw) -> Body:
     bearing: Body = {"kind": r.choice(("ball", "roller"))}
     if r.chance(0.5):
         bearing["dynamic_rating_N"] = number("BearingFields", "dynamic_rating_N", (1e3, 1e6))
-    contact = {"eccentricity_mm": number("CrankContactFields", "eccentricity_mm", (1, 5))}
+    contact = {"eccentricity_mm": number("PinContactFields", "eccentricity_mm", (1, 5))}
     body = {"mechanism": mechanism(r), "load": torque, "contact": contact}
     if gear.get("kind") == "cycloid" and r.chance(0.5):
         gear["ring_pin_radius_mm"] = number("RingFields", "ring_pin_radius_mm", (1, 10))
@@ -332,7 +332,7 @@ def real_design(r: Draw) -> Body:
     body: Body = {"mechanism": mechanism(r), "load": torque}
     torque["torque_direction"] = r.choice(("driving", "reverse", "alternating"))
     sizes = ("contact_length_mm", "pin_radius_mm", "eccentricity_mm")
-    contact = {name: number("RealContactFields", name) for name in sizes}
+    contact = {name: number("PinContactFields", name) for name in sizes}
     contact["hole_clearance_mm"] = contact["eccentricity_mm"] * r.choice(
         (0.0, r.uniform(-0.02, 0.1), r.log_uniform(1e-9, 1))
     )
@@ -417,11 +417,11 @@ def pin_strength(r: Draw) -> Body:
     own = mechanism(r)
     angles = own.get("crank_angles_deg")
     satellites = own.get("satellites", 2) if angles is None else len(angles)
-    length = r.number("DesignPinFields", "contact_length_mm")
+    length = r.number("PinFields", "contact_length_mm")
     steps = accumulate((r.uniform(1, 1.5) for _ in range(satellites)), initial=0.51)
     places = [min(1e12, length * each) for _, each in zip(range(satellites), steps, strict=False)]
     pin: Body = {
-        "diameter_mm": r.number("DesignPinFields", "diameter_mm"),
+        "diameter_mm": r.number("PinFields", "diameter_mm"),
         "contact_length_mm": length,
         "satellite_positions_mm": places,
         "support": r.choice(("cantilever", "supported", "fixed")),
@@ -463,7 +463,7 @@ def with_forces(make: Callable[[Draw], Body]) -> Callable[[Draw], Body]:
         del given["hole_radius_mm"]
         if "application_factor" in torque:
             given.pop("dynamic_factor", None)
-        given["eccentricity_mm"] = r.number("RealContactFields", "eccentricity_mm")
+        given["eccentricity_mm"] = r.number("PinContactFields", "eccentricity_mm")
         body["contact"] = given | sizes
         torque["torque_direction"] = r.choice(("driving", "reverse", "alternating"))
         if "peak_torque_Nm" not in torque and r.chance(0.2):
@@ -577,7 +577,7 @@ def in_ring(r: Draw, body: Body, size: float) -> Body:
             "kind": "cycloid",
             "ring_pin_circle_radius_mm": circle,
             "ring_pin_radius_mm": circle * r.uniform(0.1, 2) / (lobes + 1),
-            "contact_length_mm": number("CycloidRingFields", "contact_length_mm", (1, 40)),
+            "contact_length_mm": number("RingFields", "contact_length_mm", (1, 40)),
             "modification": {"equidistant_mm": r.choice((0.0, 2 * size, -size / 2))},
         },
     }

@@ -10,6 +10,9 @@ from tests.oracles.pin_turn import long
 
 CRITERIA = ("goodman", "gerber", "soderberg", "fkm_haigh")
 SURFACES = {"ground": (1.38, -0.067), "machined": (3.04, -0.217), "forged": (54.9, -0.758)}
+KPSI = mpf("4.4482216152605") / mpf("0.0254") ** 2 / 1000
+"""1000 pounds per square inch, MPa."""
+
 RELIABILITIES = {50: 1.0, 90: 0.897, 99: 0.814, 99.9: 0.753}
 
 
@@ -28,15 +31,35 @@ def basis(r: Draw) -> Body:
 
 
 class Strength:
-    """Endurance limit of a part of a diameter, and criterion."""
+    """Endurance limit of a part of a diameter, strength for a number of cycles, and criterion."""
 
-    def __init__(self, given: Body, d: mpf, tensile: mpf, yields: mpf) -> None:
+    def __init__(
+        self, given: Body, d: mpf, tensile: mpf, yields: mpf, cycles: mpf | None = None
+    ) -> None:
         self.tensile, self.yields = tensile, yields
         self.criterion = given["criterion"]
         self.factors: dict[str, mpf] = {}
+        self.limit = self._endurance(given, d)
+        self.finite = None if cycles is None else self._stood(cycles)
+
+    def _stood(self, cycles: mpf) -> mpf | None:
+        """Reversed stress a*N^b that steel stands; None where it is the endurance limit.
+
+        Source: Shigley, 11th edition, eqs. (6-11) to (6-15): f*Rm for 1000 cycles, the limit for a
+        million.
+        """
+        strength = min(max(self.tensile / KPSI, mpf(70)), mpf(200))
+        share = typed(1.06) - typed(2.8e-3) * strength + typed(6.9e-6) * strength**2
+        short = share * self.tensile
+        if cycles >= 1_000_000 or short <= self.limit:
+            return None
+        scale, power = short**2 / self.limit, -mp.log10(short / self.limit) / 3
+        return scale * max(cycles, mpf(1000)) ** power
+
+    def _endurance(self, given: Body, d: mpf) -> mpf:
+        """Endurance limit as given, or by its factors."""
         if "endurance_limit_MPa" in given:
-            self.limit = typed(given["endurance_limit_MPa"])
-            return
+            return typed(given["endurance_limit_MPa"])
         scale, power = SURFACES[given["surface"]]
         size = typed(1.24) * d ** typed(-0.107) if d <= 51 else typed(1.51) * d ** typed(-0.157)
         notch = typed(given.get("fatigue_notch_factor", 1.0))
@@ -55,11 +78,12 @@ class Strength:
             "notch": notch,
         }
         product = self.factors["surface"] * self.factors["size"] * self.factors["reliability"]
-        self.limit = product / notch * min(self.tensile / 2, mpf(700))
+        return product / notch * min(self.tensile / 2, mpf(700))
 
     def use(self, top: Any, bottom: Any) -> Any:
         """1/n."""
-        limit, tensile, yields = (long(each) for each in (self.limit, self.tensile, self.yields))
+        stood = self.limit if self.finite is None else self.finite
+        limit, tensile, yields = (long(each) for each in (stood, self.tensile, self.yields))
         a, m = (top - bottom) / 2, (top + bottom) / 2
         pull = np.maximum(m, 0)
         if self.criterion in ("goodman", "soderberg"):

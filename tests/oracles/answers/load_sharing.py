@@ -32,7 +32,8 @@ STEEL = {"youngs_modulus_GPa": 210.0, "poissons_ratio": 0.3}
 
 def request(r: Draw) -> Body:
     """A design with clearance, any law, deviations in half; extremes differ in load and clearance
-    by decades. Satellites may give, or share the torque as they are told.
+    by decades. Satellites may give, or share the torque as they are told; the pins of a single one
+    may bend. A clearance that is not given is none.
     """
     pins, satellites = r.randint(3, 6), r.randint(1, 2)
     contact = {
@@ -72,7 +73,25 @@ def request(r: Draw) -> Body:
             "eccentricity_mm": [r.decimal(-0.005, 0.005) for _ in range(satellites)],
             "crank_phase_deg": [r.decimal(-0.01, 0.01) for _ in range(satellites)],
         }
+    if r.chance(0.15):
+        del contact["hole_clearance_mm"]
+    if satellites == 1 and r.chance(0.5):
+        body["pin"] = _bending(r, contact)
     return body
+
+
+def _bending(r: Draw, contact: Body) -> Body:
+    """A pin under one satellite, held in three ways, perhaps in a sleeve."""
+    length, diameter = contact["contact_length_mm"], 2 * contact["pin_radius_mm"]
+    place = r.rounded(length * r.uniform(0.6, 1.5))
+    pin = {
+        "diameter_mm": r.choice((diameter, min(r.rounded(diameter * r.uniform(0.6, 1)), diameter))),
+        "satellite_positions_mm": [place],
+        "support": r.choice(("cantilever", "supported", "fixed")),
+    }
+    if pin["support"] != "cantilever":
+        pin["span_mm"] = r.rounded(place + length * r.uniform(0.6, 2))
+    return pin
 
 
 def _giving(r: Draw, satellites: int) -> Body:
@@ -99,7 +118,7 @@ def _giving(r: Draw, satellites: int) -> Body:
 def numbers(body: Body, answer: Any) -> Numbers:
     """Forces, lag, play by bisection over vectors."""
     position = answer["positions"][0]
-    exact = exact_position(*_real(body))
+    exact = exact_position(*real_of(body))
     arcmin = mp.pi / 10800
     pins = body["mechanism"]["pins"]
     largest = max(exact.force)
@@ -140,7 +159,7 @@ def play_class(size: mpf) -> float:
     return float(part + math.degrees(least) * 60 / size) + 2e-16
 
 
-def _real(body: Body) -> tuple[Any, mpf, mpf]:
+def real_of(body: Body) -> tuple[Any, mpf, mpf]:
     """The mechanism in decimals, SI units; its crank angle and torque."""
     mechanism, load, contact = (body[name] for name in ("mechanism", "load", "contact"))
     law, given = body["contact_law"], body.get("deviations", {})
@@ -180,7 +199,7 @@ def _real(body: Body) -> tuple[Any, mpf, mpf]:
         pin_radius=mm(contact["pin_radius_mm"]),
         eccentricity=mm(contact["eccentricity_mm"]),
         contact_length=mm(contact["contact_length_mm"]),
-        clearance=mm(contact["hole_clearance_mm"]),
+        clearance=mm(contact.get("hole_clearance_mm", 0.0)),
         law=own,
         pin=None,
         pin_material=steel,
@@ -191,6 +210,14 @@ def _real(body: Body) -> tuple[Any, mpf, mpf]:
     torque = typed(load["output_torque_Nm"])
     sign = -1 if load["torque_direction"] == "reverse" else 1
     real.support = _support(body)
+    if pin := body.get("pin"):
+        real.pin = SimpleNamespace(
+            diameter=mm(pin["diameter_mm"]),
+            satellite_positions=mm(pin["satellite_positions_mm"]),
+            support=pin["support"],
+            span=mm(pin.get("span_mm", 0.0)),
+            material=steel,
+        )
     return real, mp.radians(typed(body["crank_angle_deg"][0])), sign * torque
 
 

@@ -15,6 +15,9 @@ from tests.oracles.answers.crank_planetary import (
 from tests.oracles.crank_planetary import peak
 from tests.oracles.losses import total
 
+USUAL_LIFE = 5000.0
+"""Life of a design that requires none, hours."""
+
 HAIR = 1e-9
 """Cranks that differ from a place of coincident switching by less than this, degrees, but not by
 nothing, are not asked: which ranges are too short to count is not what is tested here."""
@@ -48,6 +51,10 @@ def request(r: Draw) -> Body:
         friction["sleeve"] = True
         inner = max(contact["pin_radius_mm"] * r.uniform(0.5, 1.9), 1e-12)
         body["pin"] = {"diameter_mm": inner}
+    if "life_h" in friction and r.chance(0.5):
+        del friction["life_h"]
+        if r.chance(0.5):
+            body["requirements"] = {"life_h": r.size(100, 2e4)}
     return body
 
 
@@ -107,9 +114,10 @@ def numbers(body: Body, answer: Any) -> Numbers:
     }
     if sleeve:
         exact["sleeve_speed_rpm"] = relative * eccentricity / radius
-    if "life_h" in friction:
+    if "wear_rate_mm3_per_Nm" in friction:
         # volume k*F*2*pi*e over the area 2*pi*r*b that a relative turn sweeps
-        turns = relative * 60 * typed(friction["life_h"])
+        required = body.get("requirements", {}).get("life_h", USUAL_LIFE)
+        turns = relative * 60 * typed(friction.get("life_h", required))
         swept = typed(friction["wear_rate_mm3_per_Nm"]) * largest * eccentricity / 1000 / length
         exact["pin_wear_mm"] = swept / radius * turns
         if not sleeve:

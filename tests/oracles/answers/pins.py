@@ -15,16 +15,16 @@ from tests.oracles.answers.calculation import (
     Numbers,
     typed,
 )
-from tests.oracles.answers.crank_planetary import EXPONENTS, angles, mechanism
+from tests.oracles.answers.crank_planetary import EXPONENTS, angles, mechanism, ratio
 from tests.oracles.answers.fatigue import CYCLES, Strength, basis
-from tests.oracles.answers.losses import by_a_hair
+from tests.oracles.answers.losses import USUAL_LIFE, by_a_hair
 from tests.oracles.crank_planetary import peak
 from tests.oracles.pin import bend
 from tests.oracles.pin_turn import Turn, largest, long, worst_cycle
 
 
 def request(r: Draw) -> Body:
-    """A design with at most 16 pairs, held in three ways."""
+    """A design with at most 16 pairs, held in three ways, of a life that has an end in half."""
     own = mechanism(r)
     while by_a_hair(own) or own["pins"] * own["satellites"] > 16:
         own = mechanism(r)
@@ -62,13 +62,31 @@ def request(r: Draw) -> Body:
     if r.chance(0.3):
         working = load["output_torque_Nm"] * load.get("application_factor", 1.0)
         load["peak_torque_Nm"] = r.rounded(working * r.uniform(1.1, 4))
-    return {
+    body: Body = {
         "mechanism": own,
         "load": load,
         "pin": pin,
         "fatigue": fatigue,
         "include": ["deflection"],
     }
+    if r.chance(0.5):
+        load["input_speed_rpm"] = r.size(10, 3000)
+        if r.chance(0.8):
+            body["requirements"] = {"life_h": r.size(0.1, 1e3)}
+        if r.chance(0.2):
+            fatigue["life_h"] = r.size(0.1, 1e3)
+    return body
+
+
+def loads(body: Body) -> mpf | None:
+    """Loads on a pin that stands still over its life, one a turn of the crank against the pins:
+    its own life, the required one, or the usual one; None without an end.
+    """
+    if "input_speed_rpm" not in body["load"] or body["pin"]["rotates"]:
+        return None
+    required = body.get("requirements", {}).get("life_h", USUAL_LIFE)
+    life = typed(body["fatigue"].get("life_h", required))
+    return 60 * typed(body["load"]["input_speed_rpm"]) * (1 + 1 / ratio(body["mechanism"])) * life
 
 
 def numbers(body: Body, answer: Any) -> Numbers:
@@ -123,7 +141,7 @@ def numbers(body: Body, answer: Any) -> Numbers:
     exact["/deflection/slope_mrad"] = 1000 * max(sunk(arms) for arms in beam.slopes)
     material = pin["material"]
     tensile, yields = (typed(material[f"{each}_strength_MPa"]) for each in ("tensile", "yield"))
-    strength = Strength(body["fatigue"], d, tensile, yields)
+    strength = Strength(body["fatigue"], d, tensile, yields, loads(body))
     unit = reference / modulus
     if pin["rotates"]:
         use = mpf(str(strength.use(long(moment / modulus), -long(moment / modulus))))
@@ -138,6 +156,8 @@ def numbers(body: Body, answer: Any) -> Numbers:
         use = mpf(str(use))
     exact["/fatigue/safety_factor"] = 1 / use
     exact["/fatigue/endurance_limit_MPa"] = strength.limit
+    if strength.finite is not None:
+        exact["/fatigue/finite_strength_MPa"] = strength.finite
     exact |= {f"/fatigue/factors/{name}": each for name, each in strength.factors.items()}
     found: Numbers = {}
     for pointer, value in exact.items():
@@ -226,6 +246,7 @@ PIN_STRENGTH = Calculation(
         "/fatigue/amplitude_MPa": "1e-4: the utilisation is flat there",
         "/fatigue/mean_MPa": "1e-4 of the largest: the utilisation is flat there",
         "/fatigue/cycles": CYCLES,
+        "/fatigue/life_h": CYCLES,
     },
     one_in=20,
 )

@@ -37,7 +37,7 @@ LAWS = {
 
 def request(r: Draw) -> Body:
     """Discs of few lobes with a modification, any law, deviations in half; extremes are nearly
-    undercut, or differ in load by decades.
+    undercut, or differ in load by decades. Pins in holes move nothing, whatever is given of them.
     """
     lobes, discs = r.randint(5, 11), r.randint(1, 2)
     radius = r.decimal(30, 80)
@@ -85,6 +85,18 @@ def request(r: Draw) -> Body:
             "crank_phase_deg": [r.decimal(-0.01, 0.01) for _ in range(discs)],
             "disc_phase_deg": [r.decimal(-0.002, 0.002) for _ in range(discs)],
         }
+    if r.chance(0.3):
+        body["mechanism"]["pins"] = holes = r.randint(3, 8)
+        body["load"]["pin_circle_radius_mm"] = r.decimal(0.4, 0.6) * radius
+        body["contact"] |= {
+            "pin_radius_mm": r.decimal(2, 4),
+            "contact_length_mm": r.decimal(8, 20),
+            "hole_clearance_mm": r.choice((0.0, 0.02)),
+            "hole_material": STEEL,
+        }
+        del body["gear"]["disc_material"]  # which is that of the holes
+        if "deviations" in body:
+            body["deviations"]["pin_radial_mm"] = [r.decimal(-0.01, 0.01) for _ in range(holes)]
     return body
 
 

@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Literal
 import pytest
 from pydantic import ValidationError
 
-from app.document import RequestField, SectionFields, request_fields
+from app.fields import RequestField, SectionFields, request_fields
 from app.model import Maybe, quantity
 from app.units import UNITS
 from core.fields import Forms, Rule, optional_size, size

@@ -23,8 +23,9 @@ from typing import (
 
 from pydantic import AfterValidator, BeforeValidator
 from pydantic import Field as Limits
+from pydantic.fields import FieldInfo
 
-from app.model import NO_DUST, Maybe, PartFields, no_dust, quantity, whole
+from app.model import NO_DUST, Maybe, RequestModel, no_dust, quantity, whole
 from app.rules import Rule
 from app.units import Convert, from_si
 from core.fields import Input, help_of
@@ -46,12 +47,13 @@ JSON_FORMS: dict[Any, JsonForm] = {}
 """Forms of types of core that are neither numbers, words, lists nor sections."""
 
 
-class SectionFields(PartFields):
+class SectionFields(RequestModel):
     """Section of the document, or part of one.
 
     A subclass names its dataclass of core as `of`, or those of several kinds by kind. It has the
     fields of that but those in `without`, or of those alone in `only`, and adds what core does not
-    know. Fields in `needs` have to be stated.
+    know. Fields in `needs` have to be stated. An annotation with a default alone, of a field that
+    core has, changes the type and the default in JSON.
     """
 
     DOCUMENT: ClassVar[Any]
@@ -141,7 +143,7 @@ def _give_fields(
     """
     own, annotations, converters = cls.__annotations__, {}, {**cls.CONVERTERS}
     for core, each in chosen.items():
-        if each.name in cls.model_fields:
+        if each.name in cls.model_fields and core not in stated:
             continue
         form = _json_form(each.hint, each.input, group)
         if form.convert is not None:
@@ -149,10 +151,11 @@ def _give_fields(
         needed = each.default is None and core in stated
         known = needed or each.default is not None
         annotations[each.name] = form.annotation if known else OPTIONAL[form.annotation]
-        if each.name not in own:
-            setattr(cls, each.name, _field(each, {} if needed else {"default": each.default}))
-    written = {name: each for name, each in own.items() if name not in annotations}
-    cls.__annotations__ = written | annotations | own
+        written = vars(cls).get(each.name, None if needed else each.default)
+        if not isinstance(written, FieldInfo):
+            setattr(cls, each.name, _field(each, {} if needed else {"default": written}))
+    besides = {name: each for name, each in own.items() if name not in annotations}
+    cls.__annotations__ = besides | annotations | own
     cls.CONVERTERS = converters
 
 
@@ -166,11 +169,12 @@ def _give_rules(cls: Any, kinds: Collection[Any], names: Mapping[str, str]) -> N
             for each in dict.fromkeys(forms)
             if names.keys() >= {*chain(*each)}
         )
-    cls.BETWEEN = tuple(
+    of_core = (
         Rule(names[field], rule, names[other])
         for field, rule, other in dict.fromkeys(rules)
         if names.keys() >= {field, other}
     )
+    cls.BETWEEN = (*vars(cls).get("BETWEEN", ()), *of_core)
 
 
 def _field(each: RequestField, given: dict[str, Any]) -> Any:

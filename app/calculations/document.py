@@ -1,0 +1,407 @@
+"""Design document of a drive: the request that all calculations of a drive share, with what each of
+them needs of it.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import fields, replace
+from functools import cached_property
+from itertools import chain
+from typing import Any, ClassVar, Literal, Self, TypeVar, cast
+
+from pydantic import Field, model_validator
+
+from app.calculations.checks import ScopedRequirementsFields
+from app.calculations.contact_law import ContactLawFields
+from app.calculations.fatigue import PinFatigueFields
+from app.calculations.ideal_forces import CyclogramFields, force_of_one
+from app.calculations.mechanism import PinContactFields
+from app.calculations.pin import PinFields
+from app.calculations.pin_rollers import RollersFields
+from app.calculations.ring import RingFields
+from app.calculations.sections import (
+    RING_PIN_LISTS,
+    BearingFields,
+    CrankshaftFields,
+    CrankSupportFields,
+    DesignLoadFields,
+    DeviationsFields,
+    FrictionFields,
+    SatelliteBodyFields,
+    SatelliteCouplingFields,
+    TemperaturesFields,
+)
+from app.calculations.tolerances import TolerancesFields
+from app.model import Maybe, RequestModel, Values, notices_of, result
+from app.rules import Rule, field_error
+from app.settings import Settings
+from core.arrays import FloatArray
+from core.design.document import Design
+from core.design.results import Results
+from core.errors import CalculationError, Notice, if_known, required
+from core.output.contact_force import drawing_angles
+from core.output.elasticity import RingInSeries
+from core.output.mechanism import Mechanism, Members, PinFit, pin_fit
+
+Result = TypeVar("Result")
+
+Needs = tuple[str, ...]
+"""Paths of sections and fields of a document in JSON, such as ``load/input_speed_rpm``."""
+
+INSTEAD = {
+    "friction": "rollers",
+    "load/output_torque_Nm": "load/input_torque_Nm",
+    "mechanism/satellite_teeth": "mechanism/ratio",
+}
+"""Parts of a document that stand for others: rollers have friction."""
+
+OF_BOTH = "ring_speed_rpm", "carrier_speed_rpm"
+"""Speeds of which one is given if ring and pins are both outputs."""
+
+NO_COUPLING = ("crank_support", "satellite_coupling", "gear", "bearing", "crankshaft")
+"""Sections that a coupling of two shafts does not have."""
+
+TOUCHING: Needs = ("contact/pin_radius_mm", "contact/contact_length_mm")
+"""Sizes of pins that touch their holes."""
+
+FORCES = frozenset(
+    (
+        "mechanism",
+        "load",
+        "contact",
+        "contact_law",
+        "deviations",
+        "crank_support",
+        "satellite_coupling",
+        "pin",
+        "rollers",
+        "gear",
+    )
+)
+"""Sections on which forces on pins and ring depend."""
+
+TORQUE: Needs = ("load/output_torque_Nm", "load/pin_circle_radius_mm")
+"""Torque and its lever."""
+
+LOADED: Needs = ("mechanism/pins", *TORQUE)
+"""Pins under a torque."""
+
+TURNING: Needs = (*LOADED, "load/input_speed_rpm", "contact/eccentricity_mm")
+"""Pins under a torque, with the motion of the crank."""
+
+PIN_SECTIONS = ("contact_law", "deviations", "pin", "crank_support", "satellite_coupling")
+"""Sections that concern pins and holes."""
+
+ForcesUsed = Literal["ideal", "real"]
+
+
+class _UsualCoupling:
+    """Coupling of a design without a stated one: both meshes in series, if they are known."""
+
+    def section(self, _: Any = None) -> RingInSeries:
+        """The coupling in SI units."""
+        return RingInSeries()
+
+
+class DocumentFields(RequestModel):
+    """Crank-planetary reducer, as far as it is given.
+
+    One document serves all calculations of a drive: each names the fields that it needs, and
+    `not_used` lists the given sections that it does not use. Both meshes are solved in series for
+    cycloid discs of known modification with a known clearance of the pins, unless
+    `satellite_coupling` says otherwise.
+    """
+
+    NEEDED_OF: ClassVar[dict[str, Needs]] = {}
+    """Fields that the calculation needs of sections that are given."""
+
+    USES: ClassVar[frozenset[str]] = frozenset()
+    """Sections that the calculation uses."""
+
+    BETWEEN: ClassVar[tuple[Rule, ...]] = (
+        Rule("contact/pin_radius_mm", "needed_beside", "rollers"),
+        Rule("friction/coefficient", "only_one", "rollers/friction_coefficient"),
+        *(
+            Rule(path, "needed_beside", f"contact/{hole}")
+            for hole in ("hole_radius_mm", "hole_clearance_mm", "fit")
+            for path in TOUCHING
+        ),
+    )
+
+    mechanism: CyclogramFields
+    load: Maybe[DesignLoadFields] = None
+    contact: Maybe[PinContactFields] = None
+    contact_law: Maybe[ContactLawFields] = None
+    deviations: Maybe[DeviationsFields] = None
+    crank_support: Maybe[CrankSupportFields] = None
+    satellite_coupling: Maybe[SatelliteCouplingFields] = None
+    pin: Maybe[PinFields] = None
+    fatigue: Maybe[PinFatigueFields] = None
+    friction: Maybe[FrictionFields] = None
+    rollers: Maybe[RollersFields] = None
+    gear: Maybe[RingFields] = None
+    bearing: Maybe[BearingFields] = None
+    crankshaft: Maybe[CrankshaftFields] = None
+    satellite_body: Maybe[SatelliteBodyFields] = None
+    temperatures: Maybe[TemperaturesFields] = None
+    tolerances: Maybe[TolerancesFields] = None
+    requirements: ScopedRequirementsFields = Field(default_factory=ScopedRequirementsFields)
+
+    @model_validator(mode="after")
+    def _has_what_it_needs(self) -> Self:
+        for part in self.needs():
+            if not self.has(part):
+                raise field_error(part, "missing")
+        return self
+
+    @model_validator(mode="after")
+    def _of_a_coupling(self) -> Self:
+        if self.mechanism.output == "coupling":
+            for name in NO_COUPLING:
+                if self.says(name):
+                    raise field_error(name, "of_other_output", output="coupling")
+        return self
+
+    @model_validator(mode="after")
+    def _speeds_of_both(self) -> Self:
+        load, both = self.load, self.mechanism.output == "both"
+        if load is None:
+            return self
+        given = [name for name in OF_BOTH if name in load.given]
+        driven = load.input_speed_rpm is not None
+        if given and not both:
+            raise field_error(f"load/{given[0]}", "of_other_output", output=self.mechanism.output)
+        if given and not driven:
+            raise field_error("load/input_speed_rpm", "needed_beside", field=given[0])
+        if both and not given and driven:
+            raise field_error(f"load/{OF_BOTH[0]}", "needed_beside", field="input_speed_rpm")
+        return self
+
+    @model_validator(mode="after")
+    def _pin_in_sleeve(self) -> Self:
+        if self.friction is not None and self.friction.sleeve and self.pin is None:
+            raise field_error("pin", "needed_beside", field="sleeve")
+        return self
+
+    @model_validator(mode="after")
+    def _teeth_agree(self) -> Self:
+        if self.gear is not None:
+            self.gear.refuse_other_teeth(self.mechanism.teeth_difference)
+            if self.says("contact/pin_radius_mm") or self.says("contact/hole_material"):
+                self.gear.refuse_other_discs(self.given["contact"].hole_material)
+        if self.ring_kind != "cycloid" and self.lists_ring_pins:
+            listed = next(n for n in RING_PIN_LISTS if self.says(f"deviations/{n}"))
+            raise field_error("gear", "needed_beside", field=listed)
+        return self
+
+    @model_validator(mode="after")
+    def _ring_in_series(self) -> Self:
+        coupling = self.satellite_coupling
+        if coupling is None or coupling.kind != "ring":
+            return self
+        if self.gear is None:
+            raise field_error("gear", "needed_beside", field="satellite_coupling")
+        if self.gear.kind != "cycloid":
+            raise field_error("gear/kind", "outside_method")
+        if self.contact is not None and self.contact.distribution_factor > 1:
+            raise field_error("contact/distribution_factor", "with_real_forces")
+        return self
+
+    @model_validator(mode="after")
+    def _one_application_factor(self) -> Self:
+        given = self.load.application_factor if self.load else None
+        if None not in (given, self.older_factor) and given != self.older_factor:
+            raise field_error("load/application_factor", "only_one", field="dynamic_factor")
+        return self
+
+    @property
+    def older_factor(self) -> float | None:
+        """Application factor where requests of before had it, beside the contact."""
+        return self.contact.dynamic_factor if self.contact else None
+
+    def needs(self) -> Needs:
+        """Fields that the calculation needs, also of sections that are given."""
+        of_given = (needed for name, needed in self.NEEDED_OF.items() if self.says(name))
+        return (*self.NEEDS, *chain.from_iterable(of_given))
+
+    def has(self, part: str) -> bool:
+        """True if a section or field is given, or what stands for it."""
+        return self.says(part) or (part in INSTEAD and self.says(INSTEAD[part]))
+
+    @property
+    def uses(self) -> frozenset[str]:
+        """Sections that the calculation uses."""
+        return self.USES
+
+    @property
+    def not_used(self) -> list[str]:
+        """Given sections that the calculation does not use."""
+        own = DocumentFields.model_fields
+        return [name for name in own if self.says(name) and name not in self.uses]
+
+    @property
+    def known_load(self) -> DesignLoadFields:
+        """Load, for results that need one."""
+        load: DesignLoadFields = self.given["load"]
+        return load
+
+    @property
+    def ring_kind(self) -> str | None:
+        """Kind of the mesh with the ring, if a ring is given and states it."""
+        return self.gear.kind if self.gear else None
+
+    @property
+    def lists_ring_pins(self) -> bool:
+        """True if deviations of ring pins are listed."""
+        return any(self.says(f"deviations/{name}") for name in RING_PIN_LISTS)
+
+    @property
+    def around_pins(self) -> list[dict[str, Any]]:
+        """Values that pins take from surrounding parts if not given, the nearest part first."""
+        given = self.given
+        return [given[name].surface for name in ("rollers", "contact") if name in given]
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Assumed values of used sections, with the material of pins taken from the contact."""
+        yield from ((path, each) for path, each in super().assumed() if path[0] in self.uses)
+        match self.given:
+            case {"pin": PinFields(material=None), "contact": PinContactFields() as contact}:
+                if "pin" in self.uses:
+                    given = contact.pin_material
+                    values = (
+                        given if isinstance(given, str) else given.model_dump(exclude_none=True)
+                    )
+                    yield ("pin", "material"), values
+
+    def notices(self) -> tuple[Notice, ...]:
+        """Notices of used sections, and of a ratio that no cycloid disc with one lobe less has."""
+        used = (each for name, each in self.given.items() if name in self.uses)
+        parts = (each for each in used if isinstance(each, RequestModel))
+        found = tuple(chain.from_iterable(each.notices() for each in parts))
+        gear = self.gear if "gear" in self.uses else None
+        one_lobe_less = gear and gear.kind == "cycloid" and (gear.teeth_difference or 1) == 1
+        if one_lobe_less and self.mechanism.teeth is None:
+            ratio = self.mechanism.ratio_given()
+            if not ratio.is_integer():
+                found += (Notice("ratio_not_whole", {"ratio": ratio}),)
+        if self.contact is None or not self.contact.clearance_unknown:
+            return found  # a missing eccentricity is reported already
+        perfect = tuple(each for each in found if each.code != "perfect_parts")
+        unknown = len(perfect) < len(found)
+        return (Notice("clearance_unknown"), *perfect) if unknown else perfect
+
+    def cost(self) -> float:
+        """Infinite, as solutions and searches leave the event loop."""
+        return math.inf
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse too many pairs, and lists that do not fit the mechanism."""
+        self.mechanism.refuse_beyond(settings)
+        satellites, pins = self.mechanism.satellites, self.mechanism.pins
+        if coupling := self.satellite_coupling:
+            coupling.refuse_other_shares(satellites)
+        if self.deviations is not None:
+            self.deviations.refuse_other_lengths(pins, satellites)
+            if self.deviations.ring_lists:
+                self.deviations.refuse_other_ring(if_known(lambda: self.design.ring_pins))
+        super().refuse_beyond(settings)
+
+    @cached_property
+    def built(self) -> Mechanism:
+        """Mechanism, built once."""
+        return self.design.built
+
+    @property
+    def members(self) -> Members:
+        """Crank, pins and ring, one of which is the output."""
+        return self.mechanism.members
+
+    def parts(self) -> dict[str, Any]:
+        """Sections of the design that are used: no pins without a contact that loads them, and
+        both meshes in series if nothing else is stated of the satellites.
+        """
+        own = (each.name for each in OF_DESIGN if each.name in self.uses)
+        given = {name: self.given[name] for name in own if name in self.given}
+        if "contact" not in given:
+            given.pop("pin", None)
+        if "gear" in given and "satellite_coupling" in self.uses:
+            given.setdefault("satellite_coupling", _UsualCoupling())
+        return given
+
+    @cached_property
+    def design(self) -> Design:
+        """Design in SI units."""
+        return Design(**{name: each.section(self) for name, each in self.parts().items()})
+
+    @cached_property
+    def results(self) -> Results:
+        """Results of the design."""
+        return Results(self.design)
+
+    @property
+    def forces(self) -> ForcesUsed:
+        """Kind of forces that the results follow from."""
+        return "real" if self.results.solved else "ideal"
+
+    def solve_fit(self) -> PinFit:
+        """Fit of pins in holes; `NotKnown` without pins."""
+        load, contact = self.design.load, self.design.contact
+        lacks = ("section_missing", "contact")
+        return pin_fit(
+            pins=self.design.pin_count,
+            pin_radius=required(contact.pin_radius, *lacks),
+            hole_radius=required(contact.hole_radius, *lacks),
+            eccentricity=contact.eccentricity,
+            pin_circle_radius=(load.pin_circle_radius if load else None) or math.inf,
+        )
+
+
+OF_DESIGN = fields(Design)
+
+
+class StrengthFields(DocumentFields):
+    """Document whose results follow from the forces on the pins, ideal or solved.
+
+    If clearance, deviations, a contact law or elastic satellites are given, or pins bend, forces
+    are those of the mechanism as it is made. Otherwise forces are ideal and shared equally by the
+    satellites.
+    """
+
+    @property
+    def ideal(self) -> bool:
+        """True if nothing is given by which forces are solved."""
+        try:
+            return not self.design.as_made
+        except CalculationError:  # answered where the design is asked for
+            return False
+
+    def without(self, path: tuple[str, ...]) -> Values:
+        """Ideal peak force of one satellite, if the number of satellites is assumed."""
+        if path != ("mechanism", "satellites") or self.load is None:
+            return {}
+        return force_of_one(self.mechanism, self.load)
+
+    def cost(self) -> float:
+        """Number of points of ideal forces; infinite for solved forces and bent pins."""
+        if self.pin is not None or self.load is None or not self.ideal:
+            return math.inf
+        return self.mechanism.points(exponent=self.load.force_exponent)
+
+    def with_fit(self, result: Result) -> Result:
+        """Result with notices about the fit of pins and holes."""
+        fit = notices_of(if_known(self.solve_fit))
+        notices = (*fit, *notices_of(result))
+        return cast(Result, replace(cast(Any, result), notices=notices))
+
+    def drawn_angles(self) -> tuple[FloatArray, FloatArray]:
+        """Crank angles of a figure's curves with the switching angles of ideal pairs, rad."""
+        angles, switching = drawing_angles(mechanism=self.built)
+        return angles, switching[:0] if self.results.solved else switching
+
+
+def forces_used() -> Any:
+    """Field of an answer that states the kind of forces."""
+    return result(
+        "Forces behind the results: ideal forces, or real forces with clearance, deviations and "
+        "elasticity, if these are given or pins bend."
+    )

@@ -1,0 +1,162 @@
+"""Sections of the design document in a request: load, deviations, supports, friction, bearings."""
+
+from collections.abc import Iterator
+from dataclasses import fields
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
+
+from app.calculations.hertz import (
+    of_load_factor,
+)
+from app.calculations.ideal_forces import (
+    LoadFields,
+)
+from app.calculations.named_bearing import NamedBearingFields
+from app.fields import SectionFields
+from app.model import (
+    quantity,
+)
+from app.problems import invalid_input, refusal, wrong
+from app.units import core_name
+from core.design.sections import (
+    CatalogueBearing,
+    Friction,
+    Load,
+    RollingBearing,
+    SatelliteBody,
+    SeatedBearing,
+    Shaft,
+    Temperatures,
+)
+from core.errors import Notice
+from core.output.elasticity import (
+    COUPLINGS,
+    CrankSupport,
+)
+from core.output.room import OF_RING_PINS, Deviations
+
+Phase = Annotated[float, Field(ge=-360, le=360)]
+
+
+class CrankSupportFields(SectionFields, of=CrankSupport, group="crank_support"):
+    """Bearings of the satellites on their cranks. The force of the ring on them is left out."""
+
+
+class SatelliteCouplingFields(SectionFields, of=COUPLINGS, group="satellite_coupling"):
+    """Sharing of the torque between the satellites."""
+
+    kind: Literal["rigid", "elastic", "shares", "ring"] = quantity(
+        "Coupling of the satellites", default="rigid"
+    )
+    """Rigid: all satellites turn as one; elastic: each satellite gives in its mesh with the ring;
+    shares: each satellite carries a given share; ring: each satellite finds its place between the
+    ring of `gear` and the pins, so that both meshes are in series."""
+
+    def refuse_other_shares(self, satellites: int) -> None:
+        """Refuse shares that are not one for each satellite."""
+        if self.shares and len(self.shares) != satellites:
+            counts = {"expected": satellites, "actual": len(self.shares)}
+            raise refusal("/satellite_coupling/shares", "different_length", **counts)
+
+
+class DeviationsFields(SectionFields, of=Deviations, group="deviations"):
+    """Deviations of a piece from its nominal sizes: of each pin, of each hole satellite by
+    satellite, of each crank or disc, of each ring pin. Positive means outward, in the driving
+    sense, larger, ahead.
+    """
+
+    def refuse_other_lengths(self, pins: int | None, satellites: int) -> None:
+        """Refuse lists that do not fit the mechanism; without pins those of satellites alone."""
+        errors = [
+            wrong(f"/deviations/{place}", "different_length", expected=want, actual=have)
+            for place, want, have in self._lengths(pins, satellites)
+            if want not in (None, have)
+        ]
+        if errors:
+            raise invalid_input(errors)
+
+    def _lengths(self, pins: int | None, satellites: int) -> Iterator[tuple[str, int | None, int]]:
+        for name, value in self.given.items():
+            if name.startswith("ring"):
+                continue
+            if not name.startswith("hole"):
+                yield name, pins if name.startswith("pin") else satellites, len(value)
+                continue
+            yield name, satellites, len(value)
+            for index, row in enumerate(value):
+                yield f"{name}/{index}", pins, len(row)
+
+    @property
+    def ring_lists(self) -> dict[str, list[float]]:
+        """Given lists by their field."""
+        given = {name: getattr(self, name) for name in RING_PIN_LISTS}
+        return {name: value for name, value in given.items() if value}
+
+    def refuse_other_ring(self, pins: int | None) -> None:
+        """Refuse lists without one value for each ring pin, if the number of pins is known."""
+        errors = [
+            wrong(f"/deviations/{name}", "different_length", expected=pins, actual=len(value))
+            for name, value in self.ring_lists.items()
+            if pins not in (None, len(value))
+        ]
+        if errors:
+            raise invalid_input(errors)
+
+
+RING_PIN_LISTS = tuple(
+    name for name in DeviationsFields.model_fields if core_name(name) in OF_RING_PINS
+)
+"""Fields with lists of ring pins."""
+
+
+class DesignLoadFields(LoadFields, of=Load, group="load"):
+    """Load with the direction of its torque, its speed and its variation."""
+
+    def notices(self) -> tuple[Notice, ...]:
+        """Notices, also of an application factor below 1."""
+        return super().notices() + of_load_factor(self.application_factor)
+
+    def section(self, around: Any = None) -> Load:
+        """The load in SI units."""
+        own, factor = self.to_core(), around.older_factor
+        known = {name: own[name] for name in OF_LOAD if name in own}
+        older = {} if factor is None else {"application_factor": factor}
+        return Load(**older | known | {"output_torque": self.torque(around.mechanism.members)})
+
+
+OF_LOAD = tuple(each.name for each in fields(Load))
+
+
+class SatelliteBodyFields(SectionFields, of=SatelliteBody, group="satellite_body"):
+    """Body of a satellite, as far as it is given."""
+
+
+class TemperaturesFields(SectionFields, of=Temperatures, group="temperatures"):
+    """Temperatures of the parts at work, by which plastics are judged."""
+
+
+class FrictionFields(SectionFields, of=Friction, group="friction"):
+    """Friction and wear of pin and hole, or of pin and sleeve."""
+
+
+class ShaftBearingFields(NamedBearingFields, of=CatalogueBearing, group="bearing"):
+    """A bearing of the crankshaft."""
+
+
+class BearingFields(ShaftBearingFields, of=RollingBearing, group="bearing"):
+    """A rolling bearing as its catalogue gives it."""
+
+
+class SeatedBearingFields(ShaftBearingFields, of=SeatedBearing, group="crankshaft"):
+    """Bearing of the crankshaft, and the part that holds it."""
+
+
+class CrankshaftFields(SectionFields, of=Shaft, group="crankshaft"):
+    """Crankshaft with the places of its loads and bearings."""
+
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Assumed values, with those of named bearings."""
+        yield from super().assumed()
+        for index, each in enumerate(self.bearings or ()):
+            yield from ((("bearings", str(index), *path), value) for path, value in each.assumed())
