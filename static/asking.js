@@ -30,7 +30,7 @@ async function askSections({ client, calculator, input, filled, tables, signal }
   for (let count = calculator.sections.length; count > 0; count -= 1) {
     const sections = calculator.sections.slice(0, count);
     try {
-      return { answer: await calculator.ask({ post, get: client.get, input, filled, sections, tables }), refusal, requests };
+      return { answer: await calculator.ask({ post, input, filled, sections, tables }), refusal, requests };
     } catch (problem) {
       if (!(problem instanceof Problem) || problem.status !== 422) throw problem;
       refusal ??= problem;
@@ -55,7 +55,7 @@ export function createAsking({ store, client, designs }) {
     if (!answers.has(key)) {
       const { filled } = readState(model, stateFromInput(model, input));
       answers.set(key, askSections({ client, calculator, input, filled, tables: new Set() })
-        .then(async (found) => ({ ...found, answer: found.answer && { ...found.answer, ...await limitOf(found.answer, input, filled) } }))
+        .then(async (found) => ({ ...found, answer: found.answer && { ...found.answer, ...await limitOf(found.answer, input) } }))
         .catch((problem) => {
           if (!problem.passing) return { answer: null };
           answers.delete(key); // asked for again with the next answer of the service
@@ -66,9 +66,9 @@ export function createAsking({ store, client, designs }) {
   }
 
   /** What an answer says of the largest torque of a design that is kept. */
-  async function limitOf(answer, input, filled) {
+  async function limitOf(answer, input) {
     if (!isLimited(calculator, answer)) return {};
-    const { torque_reserve, largest_torque_Nm, largest_torque_of } = await calculator.mend({ post: postingOnce(client), get: client.get, input, filled, include: calculator.limit }).catch(() => ({}));
+    const { torque_reserve, largest_torque_Nm, largest_torque_of } = await calculator.mend({ post: postingOnce(client), input, include: calculator.limit }).catch(() => ({}));
     return largest_torque_Nm === undefined ? {} : { torque_reserve, largest_torque_Nm, largest_torque_of };
   }
 
@@ -91,7 +91,7 @@ export function createAsking({ store, client, designs }) {
 
   /** After all that somebody waits for, one after the other: the largest torque of the design that is shown, what mends it, what becomes of it with what is usual. */
   async function lookFurther(shown) {
-    const look = (own) => further.ask((signal) => calculator.mend({ post: postingOnce(client, signal, [], true), get: client.get, ...own, ...shown }));
+    const look = (own) => further.ask((signal) => calculator.mend({ post: postingOnce(client, signal, [], true), ...own, ...shown }));
     if (isLimited(calculator, shown.answer)) {
       settled = look({ include: calculator.limit });
       const { answer = {}, superseded } = await settled;
@@ -148,7 +148,7 @@ export function createAsking({ store, client, designs }) {
       const { input, filled, answer } = store.state.shown;
       const sections = calculator.sections.filter((id) => answer[id]);
       return figure.tables(await calculator.ask({
-        post: postingOnce(client), get: client.get, input, filled, sections, tables: new Set([figure.id]),
+        post: postingOnce(client), input, filled, sections, tables: new Set([figure.id]),
       }));
     },
   };

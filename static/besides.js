@@ -2,8 +2,7 @@
  * Asking the service for a group that is off until wanted, or that `shows` by itself: a `live` one beside the results,
  * another when it is run. Loaded when the first is shown.
  *
- * `logic.asked(input, filled)` is what the boxes ask, without the service; `logic.bodyOf(asked, client)` the body of the
- * request, and `logic.ask({ client, body, signal, progressed })` its answer.
+ * `logic.asked(input)` is the body of the request, `logic.ask({ client, body, signal, progressed })` its answer.
  */
 import { newestOnly } from "./lib/api.js";
 import { besided, refusedBesides, wants } from "./store.js";
@@ -18,13 +17,13 @@ export function createBeside({ store, client, id, logic, shows = (state) => want
   async function ask() {
     clearTimeout(again);
     const { typed, reading } = store.state;
-    const { input, filled, besides } = reading;
+    const { input, besides } = reading;
     if (besides[id]?.length > 0) {
       newest.cancel();
       store.apply(besided, id, { typed, phase: "incomplete", refusal: null });
       return;
     }
-    const request = JSON.stringify(logic.asked(input, filled));
+    const request = JSON.stringify(logic.asked(input));
     const { answer: known, of, phase, request: sent } = store.state.besides[id] ?? {};
     if (logic.live && sent === request && ["computing", "refused"].includes(phase)) {
       store.apply(besided, id, { typed });
@@ -35,12 +34,10 @@ export function createBeside({ store, client, id, logic, shows = (state) => want
       store.apply(besided, id, { typed, request, phase: "fresh", refusal: null });
       return;
     }
-    store.apply(besided, id, { typed, request, phase: "computing", progress: undefined, refusal: null });
-    const { answer, problem, superseded } = await newest.ask(async (signal) => {
-      const body = await logic.bodyOf(JSON.parse(request), client);
-      if (!signal.aborted) store.apply(besided, id, { body });
-      return logic.ask({ client, body, signal, progressed: (progress) => signal.aborted || store.apply(besided, id, { progress }) });
-    });
+    const body = JSON.parse(request);
+    store.apply(besided, id, { typed, request, body, phase: "computing", progress: undefined, refusal: null });
+    const { answer, problem, superseded } = await newest.ask((signal) =>
+      logic.ask({ client, body, signal, progressed: (progress) => signal.aborted || store.apply(besided, id, { progress }) }));
     if (superseded) return;
     if (!problem) {
       store.apply(besided, id, { answer, of: request, phase: "fresh" });

@@ -24,8 +24,8 @@ function completed({ measures, body = ({ besides, ...input }) => input, ...figur
  * `on.tables(figure)` gives the tables of a figure that has its own, to be saved;
  * `on.charted(id, data)` tells of what was drawn, `on.picked(pair)` of a click on a pair, `on.turned(angle)`
  * of the crank angle of a click, `on.set([path, value])` of the input that it means. What is folded away is asked for and
- * drawn when it is opened; a figure that `leads` the drawing is asked for at once. `figure.real` has path and body of the
- * figure that stands in its place where it `shows(input, answer)`: where forces are solved.
+ * drawn when it is opened; a figure that `leads` the drawing is asked for at once; one that is `noted` has room for a note
+ * on solved forces.
  */
 export function createFigure({ figure: about, client, titles, on }) {
   const figure = completed(about);
@@ -45,7 +45,7 @@ export function createFigure({ figure: about, client, titles, on }) {
         ${olderMark()}
         ${figure.onDemand && html`<button type="button" class="measure">${message("figure.measure")}</button>`}
       </div>
-      ${(figure.enveloped || figure.real) && html`<p class="figure-note"></p>`}
+      ${(figure.enveloped || figure.noted) && html`<p class="figure-note"></p>`}
     </figure>`);
   const canvas = root.querySelector(".canvas");
   const table = root.querySelector(".figure-table");
@@ -66,9 +66,6 @@ export function createFigure({ figure: about, client, titles, on }) {
   let waiting = false; // folded away, until it is opened
   let ahead = null; // the chart of what is asked, `{ filled, theme, chart, stop }`, until it is drawn
 
-  /** Whether the forces that are solved are shown; before there is an answer, whether they will be. */
-  const isReal = (input, answer) => figure.real?.shows(input, answer) ?? false;
-
   const heightOf = (input) => (typeof figure.height === "function" ? figure.height(input) : figure.height);
 
   /** Have another input to draw, or none: then there is nothing to list or to save either. */
@@ -88,15 +85,14 @@ export function createFigure({ figure: about, client, titles, on }) {
   }
 
   async function post({ input, answer, requests }, theme, signal) {
-    const { path, body: bodyOf } = isReal(input, answer) ? figure.real : figure;
-    return client.post(path, bodyOf(input, answer, requests), { signal, query: { theme } }).then(inLanguage).then(figure.shape ?? ((chart) => chart));
+    return client.post(figure.path, figure.body(input, answer, requests), { signal, query: { theme } }).then(inLanguage).then(figure.shape ?? ((chart) => chart));
   }
 
   /** The first chart is asked for beside the answer, where its body does not hang on that; later ones of what is not refused. */
   function askAhead({ shown, pending, phase, theme, reading: { input, filled } }) {
     ahead?.stop.abort();
     ahead = null;
-    if (shown || phase !== "computing" || pending !== filled || measure || (tabled && figure.tables) || figure.body.length > 1 || isReal(input)) return;
+    if (shown || phase !== "computing" || pending !== filled || measure || (tabled && figure.tables) || figure.body.length > 1) return;
     const stop = new AbortController();
     ahead = { filled: pending, theme, stop, chart: post({ input }, theme, stop.signal) };
     ahead.chart.catch(() => {}); // said where it is drawn

@@ -69,7 +69,7 @@ export function createView({ id, logic, asking, fold, titles }) {
     const names = body.quantities ?? Object.keys(answer.quantities);
     const [leading] = names;
     const of = answer.quantities[leading] ?? first[1];
-    const words = [...logic.advice(leading, of), ...logic.exactness(leading, of, answer, body),
+    const words = [...logic.advice(leading, of), ...logic.exactness(leading, of, answer),
       ...(answer.warnings ?? []).map((warning) => ["warning", warningText(warning, titles)])];
     fill(root.querySelector(".outcome"), html`
       <ul class="sentences">${words.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}</ul>

@@ -671,7 +671,7 @@ def test_dark_follows_the_system_and_the_switch_and_is_remembered(page: Page, se
     paper, ink = look(page)
     assert paper < 0.2 < 0.6 < ink
     page.get_by_role("button", name="Settings").click()
-    with page.expect_response("**/contact-force/chart?theme=light"):
+    with page.expect_response("**/crank-planetary/chart?theme=light"):
         page.get_by_label("Theme").select_option("light")
     expect(page.locator('[data-figure="force"] .xtick text').first).to_have_css(
         "fill", re.compile(r"rgb\((\d|[1-9]\d), ")

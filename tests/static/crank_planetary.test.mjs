@@ -158,8 +158,8 @@ test("the direction of the torque goes with ideal forces too, to every section t
     mechanism: { pins: 6 }, load: { output_torque_Nm: 100, torque_direction: "alternating" }, contact: { eccentricity_mm: 2 },
   };
   assert.equal((await asked(input, calculator.sections)).load.torque_direction, "alternating");
-  const [force] = calculator.figures.filter(({ id }) => id === "force").map(({ body }) => body(input));
-  assert.ok(!("torque_direction" in force));
+  const [ideal] = calculator.figures.filter(({ measures }) => measures === "contact-force").map(({ body }) => body(input));
+  assert.ok(!("torque_direction" in ideal));
 });
 
 test("no two forces have one name: the ideal ones, the real ones, those with the factor, in every language", async () => {
@@ -181,18 +181,17 @@ test("solved forces are listed, and stand beside the ideal ones of other designs
 
 const [cyclogramFigure, forceFigure] = ["cyclogram", "force"].map((one) => calculator.figures.find(({ id }) => id === one));
 
-test("figures show the forces that are solved, by the body by which they were; before the answer it is known which come", () => {
-  const input = { mechanism: { pins: 3 }, contact: { pin_radius_mm: 5, eccentricity_mm: 2, hole_radius_mm: 7 } };
-  const loose = { ...input, contact: { ...input.contact, hole_clearance_mm: 0.02, hole_radius_mm: 7.02 } };
-  const body = { mechanism: { pins: 3 }, load: { torque_direction: "reverse" }, deviations: {}, include: ["checks", "hertz"] };
+test("figures are of the document by which the numbers were asked; before these, of what the form says", () => {
+  const input = { mechanism: { pins: 3, revolutions: 2 }, load: { torque_direction: "reverse" }, contact: { pin_radius_mm: 5 }, besides: { real: { on: "on" } } };
+  const asked = { mechanism: { pins: 3 }, load: { torque_direction: "reverse" } };
   for (const [figure, section] of [[cyclogramFigure, "cyclogram"], [forceFigure, "contact_force"]]) {
-    const { shows, path, body: bodyOf } = figure.real;
-    assert.deepEqual([input, loose, { ...input, besides: { real: { on: "on" } } }].map((one) => shows(one)), [false, true, true]);
-    assert.deepEqual([shows(loose, { contact_force: {} }), shows(loose, { load_sharing: {} })], [false, true]);
-    assert.ok(shows({ ...input, load: { torque_direction: "reverse" } }, { contact_force: {} })); // the ideal figures know no direction
+    const { path, body } = figure;
     assert.equal(path, "/crank-planetary/chart");
-    assert.deepEqual(bodyOf(loose, {}, [{ body }]), { ...body, include: [section] });
-    assert.throws(() => bodyOf(loose, {}, [{ body: { mechanism: { pins: 300 } } }]), { status: 422 });
+    assert.ok(body.length < 2); // it is asked for beside the first answer
+    const { besides, ...parts } = input;
+    assert.deepEqual(body(input), { ...parts, contact_law: {}, include: [section] });
+    assert.deepEqual(body(input, {}, [{ body: { ...asked, include: ["checks", "hertz"] } }]), { ...asked, include: [section] });
+    assert.throws(() => body(input, {}, [{ body: { mechanism: { pins: 300 } } }]), { status: 422 });
   }
 });
 

@@ -75,13 +75,10 @@ test("satellites have a table where they differ, of each by itself", () => {
   assert.deepEqual(fit.tables({ fit: { least_room_mm: -0.9, discs: JAMS.discs } }), []);
 });
 
-test("the body has the sizes and the deviations, and no load", async () => {
+test("the body is the design document", async () => {
   const holes = [{ hole_tangential_mm: 2 }, {}, {}, {}, {}, {}];
-  const body = fit.asked({ ...INPUT, besides: { real: { on: "on" }, deviations: { holes } } }, INPUT);
-  assert.deepEqual(body, {
-    mechanism: { pins: 6, satellites: 1, ratio: 20 }, load: { pin_circle_radius_mm: 30 }, contact: INPUT.contact,
-    deviations: { hole_tangential_mm: [[2, 0, 0, 0, 0, 0]] },
-  });
+  const body = fit.asked({ ...INPUT, besides: { real: { on: "on" }, deviations: { holes } } });
+  assert.deepEqual(body, { ...INPUT, contact_law: {}, deviations: { hole_tangential_mm: [[2, 0, 0, 0, 0, 0]] } });
   const posted = [];
   const client = { post: async (path, sent) => posted.push([path, sent.include]) };
   await fit.ask({ client, body });
@@ -106,7 +103,7 @@ test("nothing is asked where it is not shown", async () => {
   const filled = {};
   const state = (shown) => ({ phase: "fresh", shown, pending: filled, typed: {}, reading: { input: {}, filled, besides: {} }, besides: {} });
   const store = { state: state({}), apply() {} };
-  const logic = { live: true, asked: () => ({}), bodyOf: async (body) => body, ask: async () => asked.push(1) };
+  const logic = { live: true, asked: () => ({}), ask: async () => asked.push(1) };
   let there = false;
   const beside = createBeside({ store, client: {}, id: "fit", logic, shows: () => there });
   const turn = () => new Promise((resolve) => setTimeout(resolve, 1));

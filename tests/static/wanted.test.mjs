@@ -12,7 +12,7 @@ import { fieldWords, ownWords } from "../../static/messages/index.js";
 import calculator from "../../static/calculators/crank-planetary/index.js";
 import * as real from "../../static/calculators/crank-planetary/real.js";
 import * as study from "../../static/calculators/crank-planetary/study.js";
-import { inputOf, partsOf, WANTED, wantedSections } from "../../static/calculators/crank-planetary/wanted.js";
+import { documentOf, inputOf, WANTED, wantedSections } from "../../static/calculators/crank-planetary/wanted.js";
 import { pasted } from "../../static/views/wanted_fields.js";
 import { INPUT, OPENAPI } from "./model.mjs";
 import { openapi } from "./service.mjs";
@@ -229,7 +229,6 @@ test("what is asked: after an answer or when run, once for the same inputs, stop
   let finish;
   const logic = {
     asked: ({ besides }) => ({ tolerance: besides.tolerance }),
-    bodyOf: async (request) => request,
     ask: ({ body, progressed }) => new Promise((resolve, reject) => {
       asked.push(body.tolerance);
       progressed(0.5);
@@ -263,26 +262,24 @@ const DESIGN = {
 };
 const ask = (besides, contact = {}) => real.asked({
   ...DESIGN, contact: { ...DESIGN.contact, ...contact }, load: { ...DESIGN.load, input_speed_rpm: 1500, torque_direction: "reverse" }, besides,
-}, DESIGN);
+});
 
-test("the body of the real forces: nothing of the ideal ones, a clearance in the place of the hole", () => {
+test("the document of the form: a clearance in the place of the hole, and the parts whose groups are on", () => {
   const body = ask({ real: { on: "on" }, contact_law: { kind: "hertz" } });
   assert.deepEqual(body, {
-    mechanism: { pins: 3, satellites: 2, ratio: 20 },
-    load: { output_torque_Nm: 100, pin_circle_radius_mm: 40, torque_direction: "reverse" },
-    contact: { pin_radius_mm: 5, eccentricity_mm: 2, contact_length_mm: 10, hole_radius_mm: 7.03 },
+    mechanism: DESIGN.mechanism,
+    load: { ...DESIGN.load, input_speed_rpm: 1500, torque_direction: "reverse" },
+    contact: DESIGN.contact,
     contact_law: { kind: "hertz" },
+    lost_motion_torque_share: undefined,
   });
   const { hole_radius_mm: _, ...others } = DESIGN.contact;
   assert.deepEqual(ask({}, { hole_clearance_mm: 0.03 }).contact, { ...others, hole_clearance_mm: 0.03 });
   assert.equal(ask({}, { hole_clearance_mm: 0.05 }).contact.hole_radius_mm, 7.03); // they disagree: the service says so
   assert.deepEqual(ask({}, { fit: "H7/f7" }).contact, { ...others, fit: "H7/f7" });
   const pin = { support: "cantilever", satellite_positions_mm: [5, 15], rotates: false };
-  assert.deepEqual(ask({ strength: { on: "on" }, pin }).pin, { support: "cantilever", satellite_positions_mm: [5, 15] });
+  assert.deepEqual(ask({ strength: { on: "on" }, pin }).pin, pin);
   assert.equal(ask({ pin }).pin, undefined);
-  const [steel, strong] = [{ youngs_modulus_GPa: 210 }, { youngs_modulus_GPa: 210, tensile_strength_MPa: 900 }];
-  assert.deepEqual(ask({ strength: { on: "on" }, pin: { ...pin, material: strong } }).pin.material, steel);
-  assert.equal(ask({ strength: { on: "on" }, pin: { ...pin, material: "steel_bearing" } }).pin.material, "steel_bearing");
   const rollers = { bore_diameter_mm: 6, radial_clearance_mm: 0.01 };
   assert.deepEqual(ask({ rolling: { on: "on" }, rollers }).rollers, rollers);
   assert.equal(ask({ rollers }).rollers, undefined);
@@ -305,7 +302,7 @@ test("the verdict is of the design as it is made: its clearance, deviations, con
   assert.ok(!("deviations" in await asked({ ...parts, besides: { ...besides, real: undefined } })));
 });
 
-test("a figure of strength and life asks with the design that its numbers are of, and only what it takes", async () => {
+test("a figure of strength and life asks with the document that its numbers are of", async () => {
   const besides = {
     real: { on: "on" }, contact_law: { kind: "palmgren" },
     deviations: { pins: [{ pin_radial_mm: 0.01 }, {}, {}] }, satellite_coupling: { shares: [0.4, 0.6] },
@@ -324,17 +321,15 @@ test("a figure of strength and life asks with the design that its numbers are of
     },
     input: { ...DESIGN, load, contact, satellite_body: { bore_radius_mm: 20 }, besides }, filled: DESIGN, sections: calculator.sections, tables: new Set(),
   });
-  const [{ body: { pin, fatigue, friction: { wear_rate_mm3_per_Nm, ...friction }, gear, bearing, crankshaft } }] = requests;
+  const [{ body: { include, ...document } }] = requests;
   const { hole_radius_mm: _, ...others } = contact;
-  const forces = {
-    mechanism: { pins: 3, satellites: 2, ratio: 20 }, load, pin,
-    contact: others, contact_law: { kind: "palmgren" },
-    deviations: { pin_radial_mm: [0.01, 0, 0] }, satellite_coupling: { kind: "shares", shares: [0.4, 0.6] },
-  };
-  assert.deepEqual([pin, friction, gear], [besides.pin, { coefficient: 0.08, sleeve: true }, { radial_force_ratio: 0.4 }]);
-  for (const [id, own] of Object.entries({ strength: { fatigue }, losses: { friction }, bearings: { gear, bearing, crankshaft }, crank: { gear, crankshaft } })) {
+  const { load: { include: optional, ...sent }, pin, friction, gear } = document;
+  assert.deepEqual([sent, document.contact, document.contact_law], [load, others, { kind: "palmgren" }]);
+  assert.deepEqual([document.deviations, document.satellite_coupling], [{ pin_radial_mm: [0.01, 0, 0] }, { kind: "shares", shares: [0.4, 0.6] }]);
+  assert.deepEqual([pin, friction, gear], [besides.pin, { ...besides.friction, sleeve: true }, { radial_force_ratio: 0.4 }]);
+  for (const id of ["strength", "losses", "bearings", "crank"]) {
     const { figure } = await import(`../../static/calculators/crank-planetary/${id}.js`);
-    assert.deepEqual(figure.body({}, {}, requests), { ...forces, ...own }, id);
+    assert.deepEqual(figure.body({}, {}, requests), document, id);
     assert.ok(figure.body.length > 1, id); // it is not asked for before the numbers
   }
 });
@@ -342,9 +337,8 @@ test("a figure of strength and life asks with the design that its numbers are of
 test("measured pins of the ring are of the teeth alone: beside those of the output, and forces of the output stay ideal", async () => {
   const ring = { ring_pin_radial_mm: [0.01, 0, 0], ring_pin_radius_mm: [0, -0.002, 0] };
   const gear = { kind: "cycloid", ring_pin_circle_radius_mm: 60, modification: { equidistant_mm: 0.02 } };
-  const { besides, ...own } = inputOf({ ...DESIGN, gear, bearing: { kind: "ball" }, deviations: { ...ring, pin_radius_mm: [0.02] } });
+  const { besides } = inputOf({ ...DESIGN, gear, bearing: { kind: "ball" }, deviations: ring });
   assert.deepEqual(besides.deviations, { ring_pins: [[0.01, 0], [0, -0.002], [0, 0]].map(([ring_pin_radial_mm, ring_pin_radius_mm]) => ({ ring_pin_radial_mm, ring_pin_radius_mm })) });
-  assert.deepEqual(own.deviations, { pin_radius_mm: [0.02] });
   const pins = { pins: [{ pin_radial_mm: 0.01 }, {}, {}] };
   const asked = async (more, sections = calculator.sections) => {
     const requests = [];
@@ -365,9 +359,6 @@ test("measured pins of the ring are of the teeth alone: beside those of the outp
   const involute = { kind: "involute", module_mm: 3, teeth_difference: 2, satellite_profile_shift: 0, ring_profile_shift: 0.4 };
   const [{ body: { include } }] = await asked({ gear: involute });
   assert.ok(include.includes("ring_mesh") && include.includes("ring_drawing"));
-  const { figure } = await import("../../static/calculators/crank-planetary/bearings.js");
-  assert.deepEqual(figure.body({}, {}, both).deviations, { pin_radial_mm: [0.01, 0, 0] });
-  assert.ok(!("deviations" in figure.body({}, {}, [alone])));
   const teeth = await import("../../static/calculators/crank-planetary/teeth.js");
   assert.deepEqual(teeth.figure.body({}, {}, [alone]), { ...alone.body, include: ["ring_mesh"] });
   const { rows } = WANTED.find(({ id }) => id === "teeth").fields["deviations.ring_pins"];
@@ -411,7 +402,7 @@ test("more pairs than the service takes are refused without it: of a mechanism, 
   await ask(design(MOST_PAIRS.all, made), ["cyclogram", "contact_force"]);
   await assert.rejects(ask(design(MOST_PAIRS.all + 2), ["cyclogram"]), refused(MOST_PAIRS.all / 2));
   await assert.rejects(ask(design(MOST_PAIRS.turned + 2, made), calculator.sections), refused(MOST_PAIRS.turned / 2));
-  const turn = { client: { post: async () => ({}) }, body: real.asked(design(MOST_PAIRS.turned + 2, made), DESIGN) };
+  const turn = { client: { post: async () => ({}) }, body: real.asked(design(MOST_PAIRS.turned + 2, made)) };
   assert.throws(() => real.ask(turn), refused(MOST_PAIRS.turned / 2));
   assert.throws(() => real.drawn(turn.body), refused(MOST_PAIRS.drawn / 2));
   const figures = calculator.figures.filter(({ id }) => ["cyclogram", "force"].includes(id));
@@ -427,10 +418,11 @@ test("more pairs than the service takes are refused without it: of a mechanism, 
 
 test("the tables of a measured part as lists, holes by satellites, what is not said as 0", () => {
   const holes = Array.from({ length: 6 }, (_, i) => (i === 4 ? { hole_radius_mm: 0.02 } : {}));
-  assert.deepEqual(real.deviationsOf({ pins: [{}, { pin_radial_mm: -0.01 }, {}], holes }, DESIGN.mechanism), {
+  const said = (deviations) => documentOf({ ...DESIGN, besides: { real: { on: "on" }, deviations } }).deviations;
+  assert.deepEqual(said({ pins: [{}, { pin_radial_mm: -0.01 }, {}], holes }), {
     pin_radial_mm: [0, -0.01, 0], hole_radius_mm: [[0, 0, 0], [0, 0.02, 0]],
   });
-  assert.equal(real.deviationsOf({}, DESIGN.mechanism), null);
+  assert.equal(said({}), undefined);
 });
 
 const quantity = {
@@ -456,10 +448,10 @@ test("the study: what to tighten is what lowers the percentile most, not what ha
 
 test("the two errors are those of the quantity that is spoken of", () => {
   const answer = { samples: 40, cannot_assemble: { value: 0.1, low: 0.05, high: 0.2 }, cannot_work: 2, accuracy: { sampling_error: 1 } };
-  const words = study.exactness("peak_force_N", { ...quantity, angle_grid_error: 0.02 }, answer, { crank_angles: 24 });
+  const words = study.exactness("peak_force_N", { ...quantity, angle_grid_error: 0.02 }, answer);
   assert.deepEqual(words.map(([level]) => level), ["", "", "warning", "bad"]);
   assert.match(words[0][1], /Real peak force.* ±5\s*% with 40 pieces/);
-  assert.match(words[1][1], /24 positions miss 2\s*%/);
+  assert.match(words[1][1], /positions 2\s*% of/);
 });
 
 test("the histogram has room for all marks", () => {
@@ -470,27 +462,15 @@ test("the histogram has room for all marks", () => {
   assert.deepEqual(marks.map(({ value }) => value), ["100\u00a0N", "120\u00a0N", "200\u00a0N"]);
 });
 
-test("a ring with tolerances is in series, by whole teeth; without them it is not asked for", () => {
-  const gear = { kind: "cycloid", ring_pin_circle_radius_mm: 60, ring_pin_radius_mm: 4, tool_radius_mm: 3, modification: { equidistant_mm: 0.02 } };
-  const body = (tolerances, besides = {}) => study.asked({ ...DESIGN, besides: {
-    bearings: { on: "on" }, gear, tolerances, quantities: ["peak_force_N", "ring_peak_force_N"], ...besides,
-  } });
-  const found = body({ equidistant_mm: 0.003, ring_pin_diameter: { class: "h6" } });
-  assert.deepEqual(found.mechanism, { pins: 3, satellites: 2, satellite_teeth: 20, ring_teeth: 21 });
-  const { tool_radius_mm, ...asked } = gear;
-  assert.deepEqual(found.gear, { contact_length_mm: 10, ...asked });
-  assert.deepEqual([found.satellite_coupling, found.quantities.length], [{ kind: "ring" }, 2]);
-  assert.deepEqual(found.tolerances, { equidistant_mm: 0.003, ring_pin_diameter: { class: "h6" } });
-  assert.equal(body({ ring_pin_position_mm: 0.01 }, { satellite_coupling: { shares: [0.4, 0.6] } }).satellite_coupling.kind, "shares"); // which the service refuses
-  const without = body({ ring_pin_diameter: {} });
-  assert.deepEqual([without.gear, without.satellite_coupling, without.quantities], [undefined, undefined, ["peak_force_N"]]);
-});
-
-test("a study without a number of samples leaves it to the service", () => {
-  const body = study.asked({ ...DESIGN, besides: { study: { ranked: "ranked" }, tolerances: { pin_diameter: { class: "h6" }, hole_diameter: {} } } });
-  assert.deepEqual(body.tolerances, { pin_diameter: { class: "h6" } });
-  assert.equal(JSON.parse(JSON.stringify(body)).samples, undefined);
-  assert.deepEqual(body.include, ["histogram", "contributions"]);
+test("the study asks with the design document, its ring too, and leaves a number of samples that is not said to the service", () => {
+  const gear = { kind: "cycloid", ring_pin_circle_radius_mm: 60, ring_pin_radius_mm: 4, modification: { equidistant_mm: 0.02 } };
+  const tolerances = { equidistant_mm: 0.003, ring_pin_diameter: { class: "h6" } };
+  const input = { ...DESIGN, besides: { bearings: { on: "on" }, gear, study: { on: "on", ranked: "ranked" }, tolerances, quantities: ["ring_peak_force_N"] } };
+  const body = JSON.parse(JSON.stringify(study.asked(input)));
+  const include = ["histogram", "contributions"];
+  assert.deepEqual(body, { ...documentOf(input), tolerances, quantities: ["ring_peak_force_N"], include });
+  assert.deepEqual([body.gear, body.satellite_coupling, body.samples], [gear, undefined, undefined]);
+  assert.ok(!("tolerances" in documentOf(input))); // what nobody runs keeps nothing from an answer
 });
 
 test("what is pasted becomes rows of cells; one value is left to the box", () => {
@@ -542,21 +522,22 @@ test("a design document switches on the groups whose parts it has, and is asked 
     crankshaft: { bearing_positions_mm: [0, 40] },
     requirements: { life_h: 900, bending_safety: 2 },
   };
+  const mechanism = { pins: 6 };
   const { gear: { kind, ...ratio } } = document;
-  const input = inputOf({ mechanism: { pins: 6 }, ...document });
+  const input = inputOf({ mechanism, ...document });
   assert.deepEqual(wantedSections(input), ["pin_strength", "output_efficiency", "satellite_bearing", "crankshaft"]);
-  assert.deepEqual(partsOf(input, wantedSections(input)), { ...document, gear: ratio });
+  assert.deepEqual(documentOf(input), { mechanism, ...document, gear: ratio });
   assert.deepEqual(input.besides.strength, { on: "on", surface: "sleeved", fatigue: "notch" });
   const rollers = { name: "686", radial_clearance_mm: 0.02 };
-  const rolling = inputOf({ mechanism: { pins: 6 }, ...document, friction: undefined, rollers });
+  const rolling = inputOf({ mechanism, ...document, friction: undefined, rollers });
   assert.deepEqual(wantedSections(rolling), ["pin_strength", "rollers", "satellite_bearing", "crankshaft"]);
-  assert.deepEqual(partsOf(rolling, wantedSections(rolling)).rollers, rollers);
+  assert.deepEqual(documentOf(rolling).rollers, rollers);
   const rubbing = inputOf({ ...document, rollers });
-  assert.equal(partsOf(rubbing, wantedSections(rubbing)).friction, undefined, "rollers have a friction of their own");
+  assert.equal(documentOf(rubbing).friction, undefined, "rollers have a friction of their own");
   for (const [part, section] of [["pin", "pin_strength"], ["friction", "output_efficiency"], ["bearing", "satellite_bearing"]]) {
     assert.deepEqual(wantedSections(inputOf({ [part]: document[part] })), [section]);
   }
-  assert.deepEqual(wantedSections(inputOf({ mechanism: { pins: 6 } })), []);
+  assert.deepEqual(wantedSections(inputOf({ mechanism })), []);
 });
 
 test("satellites along the shaft are as far apart as along the pins until they are typed", () => {
@@ -585,18 +566,11 @@ test("a field stands in one group: in two, what is left empty in one would be sa
   assert.deepEqual(groups.filter((path, index) => groups.indexOf(path) !== index), []);
 });
 
-test("forces alone are asked with what their endpoints know of a load, whatever the design says of it", () => {
+test("the ideal force is measured with what its endpoint knows of a load, whatever the design says of it", () => {
   const at = (schema) => schema.$ref ? openapi.components.schemas[schema.$ref.split("/").pop()] : schema;
-  const fieldsOf = (path, part) => {
-    const { properties } = at(openapi.paths[`/api/v1${path}`].post.requestBody.content["application/json"].schema);
-    return Object.keys(part ? at(properties[part]).properties : properties);
-  };
-  const every = Object.fromEntries(fieldsOf("/crank-planetary", "load").map((name) => [name, 1]));
-  for (const name of ["include", "samples"]) delete every[name]; // which the page does not send
-  const known = fieldsOf("/load-sharing", "load");
-  const asked = Object.keys(real.designOf({ ...DESIGN, load: every }).load);
-  assert.ok(asked.includes("output_torque_Nm"));
-  assert.deepEqual(asked.filter((name) => !known.includes(name)), []);
+  const fieldsOf = (path) => Object.keys(at(openapi.paths[`/api/v1${path}`].post.requestBody.content["application/json"].schema).properties);
+  const every = Object.fromEntries(Object.keys(openapi.components.schemas.DesignLoadFields.properties).map((name) => [name, 1]));
   const ideal = calculator.figures.find(({ measures }) => measures === "contact-force").body({ ...DESIGN, load: every });
+  assert.ok("output_torque_Nm" in ideal);
   assert.deepEqual(Object.keys(ideal).filter((name) => name in every && !fieldsOf("/contact-force").includes(name)), []);
 });

@@ -1,11 +1,11 @@
 /** Ring and bearings of the satellites: what is said of the service's answer. No DOM. */
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
-import { figureBody } from "./wanted.js";
+import { drawnDocument } from "./wanted.js";
 
 const ROUNDING = 1e-9;
 
-export const figure = { id: "bearings", section: "satellite_bearing", path: "/satellite-bearing/chart", body: figureBody("gear", "bearing", "crankshaft") };
+export const figure = { id: "bearings", section: "satellite_bearing", path: "/satellite-bearing/chart", body: drawnDocument };
 
 /** The satellite whose bearing has the largest equivalent load. */
 function worstOf({ satellites }) {

@@ -2,9 +2,9 @@
 import { formatQuantity } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { crankDrawing } from "./along.js";
-import { figureBody } from "./wanted.js";
+import { drawnDocument } from "./wanted.js";
 
-export const figure = { id: "crank", section: "crankshaft", path: "/crankshaft/chart", body: figureBody("gear", "crankshaft") };
+export const figure = { id: "crank", section: "crankshaft", path: "/crankshaft/chart", body: drawnDocument };
 
 const LETTERS = ["A", "B"];
 

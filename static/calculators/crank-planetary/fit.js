@@ -4,19 +4,13 @@ import { DIAMETER, inDiameters } from "../../lib/units.js";
 import { message } from "../../messages/index.js";
 import { warningText } from "../../service_texts.js";
 import { MOST_PAIRS, refuseMore } from "./mechanism.js";
-import { asked as askedReal, range } from "./real.js";
+import { range } from "./real.js";
 
 const MOST_PLACES = 6; // stretches that are written
 
 export const live = true;
 
-/** What the boxes ask: the body, of no load. */
-export function asked(input, filled) {
-  const { mechanism, load: { pin_circle_radius_mm } = {}, contact, deviations } = askedReal(input, filled);
-  return { mechanism, load: { pin_circle_radius_mm }, contact, ...(deviations && { deviations }) };
-}
-
-export const bodyOf = async (body) => body;
+export { documentOf as asked } from "./wanted.js";
 
 export function ask({ client, body, signal }) {
   refuseMore(body.mechanism, MOST_PAIRS.drawn);

@@ -11,39 +11,21 @@ import { DIAMETER, inDiameters } from "../../lib/units.js";
 import { message, quantityWords } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
-import { askedOf, cranksOf, fitted, loadOf, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
+import { askedOf, cranksOf, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
-import { BESIDE, inputOf, MADE, partedDeviations, partsOf, shaped, WANTED, wantedSections } from "./wanted.js";
+import { BESIDE, documentOf, drawnDocument, inputOf, shaped, WANTED, wantedSections } from "./wanted.js";
 
 const MOST_ROWS = 24;
-const DESIGN = [ // parts that are judged beside the contact
-  ...MADE, "pin", "fatigue", "rollers", "friction", "gear", "bearing", "crankshaft", "satellite_body", "temperatures", "requirements",
-];
 
-/** /cyclogram and /contact-force ask the mechanism's fields beside their own. */
+/** What /contact-force asks: the mechanism's fields beside those of an ideal load. */
 function forceBody({ mechanism: { revolutions, ...mechanism }, load }) {
-  const { torque_direction, ...ideal } = loadOf(load);
-  return { ...askedOf(mechanism), ...ideal };
+  const { output_torque_Nm, input_torque_Nm, efficiency, pin_circle_radius_mm, force_exponent } = load;
+  return { ...askedOf(mechanism), output_torque_Nm, input_torque_Nm, efficiency, pin_circle_radius_mm, force_exponent };
 }
 
-/** The body of a figure, of no more pairs than are drawn. */
-const drawn = (body) => (input) => {
-  refuseMore(input.mechanism, MOST_PAIRS.drawn);
-  return body(input);
-};
-
-/**
- * A figure of the whole reducer's one in the place of an ideal one, where forces are solved or the torque turns back,
- * which the ideal ones do not know: of that body by which the numbers were asked.
- */
-const real = (section) => ({
-  shows: (input, answer) => input.load?.torque_direction === "reverse" || Boolean(answer ? answer.load_sharing : willBeSolved(input)),
-  path: "/crank-planetary/chart",
-  body(input, answer, [{ body }]) {
-    refuseMore(body.mechanism, MOST_PAIRS.drawn);
-    return { ...body, include: [section] };
-  },
-});
+/** The body of a figure of one section; before there is an answer, of what the form says. */
+const figureOf = (section) => (input, answer = null, requests = [{ body: documentOf(input) }]) =>
+  ({ ...drawnDocument(input, answer, requests), include: [section] });
 
 /** The contact, the force of its pressure (with clearance that under the dynamic load), and what bent pins add to its line load. */
 export function pressedBy(contact, factor, { contact_force: ideal, load_sharing: real, hertz }) {
@@ -58,31 +40,17 @@ function hertzBody({ load, contact: { eccentricity_mm: e, hole_clearance_mm: cle
   return { ...contact, ...hole, force_N: force * edge };
 }
 
-/** The design with all that is wanted of it for these sections of the answer: the verdict is of that too. */
-async function madeOf({ besides, ...given }, filled, get, sections = wantedSections({ besides })) {
-  const input = { ...given, mechanism: askedOf(given.mechanism), ...partsOf({ ...given, besides }, sections), ...(given.contact && { contact: fitted(given.contact) }) };
-  if (besides?.real?.on !== "on") return input;
-  const { asked, bodyOf } = await import("./real.js");
-  const made = await bodyOf(asked({ ...given, besides }, filled), { get });
-  const parts = Object.fromEntries(["contact", ...MADE].filter((part) => made[part]).map((part) => [part, made[part]]));
-  const deviations = { ...input.deviations, ...made.deviations };
-  return { ...input, ...parts, ...(Object.keys(deviations).length > 0 && { deviations }) };
-}
-
 /** How much the hole is larger than pin and eccentricity need, or smaller. */
 function clearanceOf({ contact }) {
   return tidy(contact?.hole_radius_mm - contact?.pin_radius_mm - contact?.eccentricity_mm);
 }
 
-/** Whether the forces that are judged are solved: of the design as it is made, or of pins that bend. */
-function isSolved(input) {
-  if (clearanceOf(input) > 1e-9 || input.contact?.hole_clearance_mm > 0 || input.contact?.fit) return true;
-  if (MADE.some((part) => (part === "deviations" ? partedDeviations(input.deviations)[1] : input[part]))) return true;
-  return Boolean(input.pin) && !(input.contact?.distribution_factor > 1);
+/** Whether the forces that are judged are solved: of a document as it is made, of pins that bend, or of both meshes in series. */
+function isSolved({ contact, contact_law, pin, gear }) {
+  if (contact_law || clearanceOf({ contact }) > 1e-9 || contact?.hole_clearance_mm > 0 || contact?.fit) return true;
+  const series = gear?.modification && contact?.hole_clearance_mm === 0;
+  return Boolean(pin || series) && !(contact?.distribution_factor > 1);
 }
-
-/** Whether they will be, of what the form says. */
-const willBeSolved = (input) => input.besides?.real?.on === "on" || isSolved({ ...input, ...partsOf(input, wantedSections(input)) });
 
 function clearanceNote(input) {
   const clearance = clearanceOf(input);
@@ -230,6 +198,7 @@ export default {
     play: { radial: ["contact.hole_clearance_mm"], fits: ["contact.fit"] },
     torque: { output: ["load.output_torque_Nm"], input: ["load.input_torque_Nm", "load.efficiency"] },
   },
+  needed: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.contact_length_mm", "contact.pin_radius_mm"],
   optional: ["mechanism.crank_spacing_deg", "contact.hole_clearance_mm", "contact.fit"],
   catalogues: Object.fromEntries(["contact.pin_material", "contact.hole_material", "pin.material", "gear.pin_material", "gear.ring_material"]
     .flatMap((path) => [[path, "materials"], [`${path}.name`, "materials"]])),
@@ -276,20 +245,16 @@ export default {
   /** One that it has where others than the pins are the output. */
   besides: ["members"],
 
-  async ask({ post, get, input: given, filled, sections: all, tables }) {
-    const wanted = wantedSections(given);
+  async ask({ post, input, filled, sections: all, tables }) {
+    const wanted = wantedSections(input);
     const sections = all.filter((id) => wanted.includes(id) || !WANTED.some(({ section }) => section === id));
-    const input = await madeOf(given, filled, get, sections);
-    const solved = sections.includes("hertz") && isSolved(input);
+    const asked = documentOf(input, sections);
+    const solved = isSolved(asked);
     refuseMore(filled.mechanism, solved ? MOST_PAIRS.turned : MOST_PAIRS.all);
     const optional = ["equal_sharing", ...approximated(filled.mechanism), ...(tables.has("force") ? ["curves"] : [])];
     return withoutFalseSafety(await post("/crank-planetary", {
-      mechanism: input.mechanism,
-      ...(sections.includes("contact_force") && { load: { ...input.load, include: optional } }),
-      ...(sections.includes("hertz") && {
-        contact: input.contact,
-        ...Object.fromEntries(DESIGN.filter((part) => input[part]).map((part) => [part, input[part]])),
-      }),
+      ...asked,
+      ...(asked.load && { load: { ...asked.load, include: optional } }),
       include: [...sections, ...(sections.includes("contact_force") && (filled.mechanism.output ?? "pins") !== "pins" ? ["members"] : []), ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), ...(sections.includes("ring_mesh") ? ["ring_drawing"] : []), "checks"],
     }));
   },
@@ -297,7 +262,7 @@ export default {
   /** What is asked after the first answer: solved under other torques. */
   limit: ["largest_torque"],
 
-  mend: async ({ post, get, input, filled, include = ["fixes", "combined"] }) => post("/crank-planetary", { ...await madeOf(input, filled, get), include }),
+  mend: async ({ post, input, include = ["fixes", "combined"] }) => post("/crank-planetary", { ...documentOf(input), include }),
 
   /** What is usual of what is not known: the clearance, or that none is stated; modification and pins of a ring of pins. */
   usual: ({ parts = [], warnings = [] }) => {
@@ -334,21 +299,20 @@ export default {
       side: true,
       follows: ({ data, y }) => (data.type === "bar" ? y : null),
       section: "cyclogram",
-      path: "/cyclogram/chart",
-      body: drawn(({ mechanism }) => askedOf(mechanism)),
-      real: real("cyclogram"),
+      path: "/crank-planetary/chart",
+      noted: true,
+      body: figureOf("cyclogram"),
       height: ({ mechanism: { pins = 3, satellites = 1 } }) => 190 + 22 * Math.min(pins * satellites, MOST_ROWS),
       tables: phaseTables,
     },
     {
       id: "force",
       section: "contact_force",
-      path: "/contact-force/chart",
+      path: "/crank-planetary/chart",
       follows: ({ data }) => pairsOf(data)[0] ?? null,
       enveloped: true,
       compared: true,
-      body: drawn(forceBody),
-      real: real("contact_force"),
+      body: figureOf("contact_force"),
       height: 400,
       tables: forceTables,
     },

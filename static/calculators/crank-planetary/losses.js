@@ -1,17 +1,9 @@
 /** Friction and wear: what is said of the service's answer. No DOM. */
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
-import { figureBody } from "./wanted.js";
+import { drawnDocument } from "./wanted.js";
 
-export const figure = { id: "losses", section: "output_efficiency", path: "/output-efficiency/chart", body: lossBody, height: 420 };
-
-const designBody = figureBody("friction");
-
-/** Without the wear, which takes a life and is not drawn. */
-function lossBody(input, answer, requests) {
-  const { friction: { wear_rate_mm3_per_Nm, ...friction } = {}, ...body } = designBody(input, answer, requests);
-  return { ...body, ...(body.rollers ? {} : { friction }) };
-}
+export const figure = { id: "losses", section: "output_efficiency", path: "/output-efficiency/chart", body: drawnDocument, height: 420 };
 
 export function cells(section) {
   const title = (name) => message(`quantity.${name}`).title;

@@ -36,13 +36,6 @@ export function askedOf(mechanism = {}) {
   return Object.fromEntries(Object.entries(mechanism).filter(([name]) => !OF_RINGS.includes(name)));
 }
 
-const OF_STRENGTH = ["input_speed_rpm", "ring_speed_rpm", "carrier_speed_rpm", "application_factor", "peak_torque_Nm", "peak_kind"];
-
-/** A load as forces alone ask for it: without what only strength and life need. */
-export function loadOf(load = {}) {
-  return Object.fromEntries(Object.entries(load).filter(([name]) => !OF_STRENGTH.includes(name)));
-}
-
 /** Angles of the cranks against the first, degrees. */
 export function cranksOf({ output, satellites, crank_spacing_deg: spacing, crank_angles_deg: angles }) {
   if (output === "coupling") return [0];
@@ -146,7 +139,7 @@ export function pinCentres(mechanism, angle) {
   });
 }
 
-/** Sizes of pin and hole as a body says them: a fit, or a clearance that agrees with the radii, stands for the hole. */
+/** Sizes of pin and hole as a document says them: a fit, or a clearance that agrees with the radii, stands for the hole. */
 export function fitted({ hole_radius_mm: hole, ...sizes }) {
   const { fit, hole_clearance_mm: clearance, pin_radius_mm: pin, eccentricity_mm: e } = sizes;
   const agrees = clearance !== undefined && Math.abs(clearance - (hole - pin - e)) < 1e-9 * hole; // else the service says so, at the hole

@@ -3,57 +3,20 @@
  * says. No DOM.
  */
 import { inTwoLines } from "../../lib/chart.js";
-import { formatAngle, formatNumber, formatQuantity, quantityParts, tidy } from "../../lib/format.js";
+import { formatAngle, formatNumber, formatQuantity, quantityParts } from "../../lib/format.js";
 import { message, quantityWords } from "../../messages/index.js";
-import { askedOf, eccentricityOf, fitted, loadOf, MOST_PAIRS, refuseMore } from "./mechanism.js";
-import { columnsOf, partsOf } from "./wanted.js";
+import { eccentricityOf, MOST_PAIRS, refuseMore } from "./mechanism.js";
+import { documentOf } from "./wanted.js";
 
 /** What is left between pin and hole by their sizes, without the noise of binary differences. */
-function playOf({ hole_radius_mm: hole, pin_radius_mm: pin, eccentricity_mm: eccentricity }) {
-  return Number((hole - pin - eccentricity).toFixed(10));
-}
-
-/** The parts that the real calculations share, as bodies say them; a clearance of its own stands for the hole. */
-export function designOf({
-  mechanism: { revolutions, ...mechanism } = {}, load: given, contact = {}, besides = {},
-}) {
-  const { force_exponent, ...load } = loadOf(given);
-  const { contact_law: law = {}, satellite_coupling: shared, lost_motion_torque_share: share } = besides;
-  const { pin: { rotates, bolt, material: { tensile_strength_MPa, ...elastic } = {}, ...pin } = {}, rollers } =
-    partsOf({ besides }, ["pin_strength", "rollers"]);
-  const material = typeof besides.pin?.material === "string" ? besides.pin.material : elastic;
-  const sizes = { ...contact, eccentricity_mm: eccentricityOf(contact) };
-  return {
-    mechanism: askedOf(mechanism),
-    load,
-    contact: fitted(sizes),
-    contact_law: law, // by the materials where none is chosen
-    ...(pin.support && { pin: { ...pin, ...(Object.keys(material).length > 0 && { material }) } }), // they bend where their strength is wanted
-    ...(rollers && { rollers }),
-    ...(shared && { satellite_coupling: { kind: "shares", ...shared } }),
-    ...(share !== undefined && { lost_motion_torque_share: share }),
-  };
-}
-
-function chunks(list, size) {
-  return Array.from({ length: Math.ceil(list.length / size) }, (_, i) => list.slice(i * size, (i + 1) * size));
-}
-
-/** The tables of a measured part as the lists of a body. */
-export function deviationsOf({ pins, holes, cranks } = {}, { pins: count }) {
-  const lists = [...columnsOf(pins), ...columnsOf(holes, (values) => chunks(values, count)), ...columnsOf(cranks)];
-  return lists.length > 0 ? Object.fromEntries(lists) : null;
+function playOf(contact) {
+  return Number((contact.hole_radius_mm - contact.pin_radius_mm - eccentricityOf(contact)).toFixed(10));
 }
 
 export const live = true;
 
 /** What the boxes ask: the body. */
-export function asked(input, { mechanism }) {
-  const said = deviationsOf(input.besides?.deviations, mechanism);
-  return { ...designOf(input), ...(said && { deviations: said }) };
-}
-
-export const bodyOf = async (body) => body;
+export const asked = (input) => ({ ...documentOf(input), lost_motion_torque_share: input.besides?.lost_motion_torque_share });
 
 /** The body of the figure. */
 export function drawn(body) {
@@ -133,7 +96,7 @@ export function rows({ over_turn: turn, clearance_mm: clearance }, { lost_motion
 }
 
 /** What the numbers mean, `[level, sentence]`. */
-export function sentences({ over_turn: turn, ideal }, { mechanism: { pins, satellites } }) {
+export function sentences({ over_turn: turn, ideal }, { mechanism: { pins, satellites = 1 } }) {
   return [
     ["", message(ideal.ratio > 1.001 ? "real.more" : "real.alike", {
       ratio: formatNumber(ideal.ratio, 3), loaded: range(turn.loaded_pairs_min, turn.loaded_pairs_max, ""), all: pins * satellites,

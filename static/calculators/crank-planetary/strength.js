@@ -2,23 +2,16 @@
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { pinDrawing } from "./along.js";
-import { figureBody } from "./wanted.js";
+import { drawnDocument } from "./wanted.js";
 
-const strengthBody = figureBody("fatigue");
-
-export const figure = { id: "pinStrength", section: "pin_strength", path: "/pin-strength/chart", body: strengthBody };
+export const figure = { id: "pinStrength", section: "pin_strength", path: "/pin-strength/chart", body: drawnDocument };
 
 /** The same pin in the supports between which the truth of a cage lies, asked for where it is held at both ends. */
 export const bounds = {
   path: "/pin-strength",
   list: "support_bounds",
   of: ({ pin_strength: strength }, { besides }) => strength && besides?.pin?.span_mm !== undefined && besides.pin.support !== "tie_ring",
-  body(input, answer, requests) {
-    const { fatigue, ...body } = strengthBody(input, answer, requests);
-    const usual = answer.assumed?.find(({ pointer }) => pointer === "/requirements/life_h")?.value;
-    const life = fatigue && { fatigue: { life_h: input.requirements.life_h ?? usual, ...fatigue } };
-    return { ...body, ...life, include: ["support_bounds", "deflection"] };
-  },
+  body: (input, answer, requests) => ({ ...drawnDocument(input, answer, requests), include: ["support_bounds", "deflection"] }),
   shown: [
     "peak_bending_stress_MPa", "peak_equivalent_stress_MPa", "static_safety_factor", "fatigue_safety_factor", "deflection_mm", "slope_mrad",
   ],

@@ -1,53 +1,18 @@
 /** What tolerances do to the pieces: what is asked of the service and what its answer says. No DOM. */
 import { formatNumber, formatQuantity, shownDigits, unitOf } from "../../lib/format.js";
 import { fieldWords, message, quantityWords } from "../../messages/index.js";
-import { ratioOf } from "./mechanism.js";
-import { designOf, range } from "./real.js";
-import { partsOf } from "./wanted.js";
+import { range } from "./real.js";
+import { documentOf } from "./wanted.js";
 
 const LOWER = "stiffness_min_Nm_per_arcmin"; // of which less is worse: all else is worse above
 const CLEAR = 0.02; // the share of a percentile that a tolerance has to move to be worth tightening
 
-const OF_RING = ["ring_pin_position_mm", "ring_pin_diameter", "equidistant_mm", "modification_pin_circle_mm"];
-const JUDGED_ALONE = ["rotates", "tool_radius_mm", "ring_class"]; // of a ring that forces do not hang on
-const TURNS = 4; // times as many positions over all turns of a ring
-
-/** The ring, where it has tolerances: then its mesh is in series with that of the pins. Its discs are those of the contact. */
-function inRing({ satellite_coupling: given, ...design }, input) {
-  const { satellite_teeth: z2, ring_teeth: z3, ratio, output_ratio: ofOutput, ...own } = design.mechanism;
-  const teeth = z2 ?? ratioOf(design.mechanism);
-  const { gear = {} } = partsOf(input, ["satellite_bearing"]);
-  const ring = Object.fromEntries(Object.entries(gear).filter(([name, value]) => value !== false && !JUDGED_ALONE.includes(name)));
-  const { contact_length_mm: width, hole_material: discs } = design.contact;
-  return {
-    ...design,
-    mechanism: { ...own, satellite_teeth: teeth, ring_teeth: z3 ?? teeth + 1 },
-    gear: { contact_length_mm: width, ...(discs && { disc_material: discs }), ...ring },
-    satellite_coupling: given ?? { kind: "ring" },
-  };
-}
-
-const size = (of, by) => (by === "limits" ? "lower_mm" in of || "upper_mm" in of : of.class) && of;
-
 /** What the boxes ask: the body of the request. */
 export function asked(input) {
-  const { study: { sizes, ranked } = {}, tolerances: { pin_diameter: pin = {}, hole_diameter: hole = {}, ring_pin_diameter: roller, ...said } = {}, ...besides } = input.besides ?? {};
-  const { quantities: every, samples, seed, crank_angles, percentiles, limits } = besides;
-  const [ofPin, ofHole] = [size(pin, sizes), size(hole, sizes)];
-  const given = { ...said, ...(roller?.class && { ring_pin_diameter: roller }) };
-  const ring = OF_RING.some((name) => given[name] !== undefined);
-  const quantities = ring ? every : every?.filter((name) => !name.startsWith("ring_"));
-  const design = designOf({ ...input, besides });
-  return {
-    ...ring ? inRing(design, input) : design,
-    tolerances: { ...given, ...(ofPin && { pin_diameter: ofPin }), ...(ofHole && { hole_diameter: ofHole }) },
-    quantities, samples, seed, crank_angles, percentiles,
-    ...(limits && { limits }),
-    include: ["histogram", ...ranked === "ranked" ? ["contributions"] : []],
-  };
+  const { study: { ranked } = {}, tolerances = {}, quantities, samples, seed, crank_angles, percentiles, limits, lost_motion_torque_share } = input.besides ?? {};
+  const include = ["histogram", ...ranked === "ranked" ? ["contributions"] : []];
+  return { ...documentOf(input), tolerances, quantities, samples, seed, crank_angles, percentiles, limits, lost_motion_torque_share, include };
 }
-
-export const bodyOf = async (body) => body;
 
 export const ask = ({ client, body, signal, progressed }) => client.post("/tolerance-study", body, { signal, progressed });
 
@@ -151,14 +116,13 @@ function processOf({ code, pin_code: ofPins, source, pin_source: pinSource, fill
 }
 
 /** How exact the numbers of a quantity are, in words, and which pieces are no good. */
-export function exactness(name, of, { process: made, samples, cannot_assemble: pressed, binds_in_turning: binds = 0, cannot_work: broken }, { crank_angles, gear }) {
-  const angles = gear ? TURNS * crank_angles : crank_angles;
+export function exactness(name, of, { process: made, samples, cannot_assemble: pressed, binds_in_turning: binds = 0, cannot_work: broken }) {
   const error = Math.max(...of.percentiles.map(({ value, low, high }) => Math.min((high - low) / 2 / Math.abs(value), 1) || 0));
   const quantity = titleOf(name);
   return [
     made && ["warning", message("study.process", processOf(made))],
     of.percentiles.length > 0 && ["", message("study.sampling", { quantity, error: share(error, 2), samples })],
-    ["", message("study.grid", { quantity, error: share(of.angle_grid_error, 2), angles })],
+    ["", message("study.grid", { quantity, error: share(of.angle_grid_error, 2) })],
     pressed.value > 0 && ["warning", message("study.pressed", { share: share(pressed.value), low: formatNumber(100 * pressed.low, 2), high: share(pressed.high, 2), binds })],
     broken > 0 && ["bad", message("study.broken", { count: broken })],
   ].filter(Boolean);

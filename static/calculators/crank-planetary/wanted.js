@@ -8,7 +8,7 @@ import { tidy } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
 import { wants } from "../../store.js";
-import { MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
+import { askedOf, fitted, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
 
 const MOST_ROWS = 400; // of a table; more are for other programs
 
@@ -307,7 +307,7 @@ function hasPlastic({ contact = {} }, materialOf) {
 export const WANTED = [
   {
     id: "real",
-    paths: ["/load-sharing", "/tolerance-study"],
+    paths: ["/load-sharing"],
     fields: REAL,
     judged: true,
     load: () => Promise.all([import("./real.js"), import("../../views/real.js")]),
@@ -408,47 +408,66 @@ export const wantedSections = (input) => WANTED
 export const sleeved = (input) => isOn(input, "strength") && input.besides.strength.surface === "sleeved";
 
 /**
- * Columns of a table of measured parts as the lists of a body, each made of its values by `shaped`; what is left empty there
- * is 0, a column left empty is not said.
+ * Columns of a table of measured parts as lists by their names, each made of its values by `shaped`; what is left empty
+ * there is 0, a column left empty is not said.
  */
-export function columnsOf(rows = [], shaped = (values) => values) {
+function listsOf(rows = [], shaped = (values) => values) {
   const names = [...new Set(rows.flatMap(Object.keys))];
-  return names.map((name) => [name, shaped(rows.map((row) => row[name] ?? 0))]);
+  return Object.fromEntries(names.map((name) => [name, shaped(rows.map((row) => row[name] ?? 0))]));
 }
 
-/** The same of the pins of the ring, where any is said: no lists of it are not known. */
-function ofRingPins({ ring_pins: rows } = {}) {
-  const lists = columnsOf(rows);
-  return lists.length > 0 ? { deviations: Object.fromEntries(lists) } : {};
-}
+/** Values of holes, satellite by satellite. */
+const bySatellites = (pins) => (values) => Array.from({ length: Math.ceil(values.length / pins) }, (_, j) => values.slice(j * pins, (j + 1) * pins));
 
-/** Lists of deviations in two: those of the pins of the ring, and those of the other parts, null where there are none. */
-export function partedDeviations(lists = {}) {
-  const [ring, others] = [true, false].map((own) => Object.entries(lists).filter(([name]) => name.startsWith("ring_pin_") === own));
-  return [ring, others].map((some) => (some.length > 0 ? Object.fromEntries(some) : null));
-}
-
-/** The parts of the document that the groups which are on say, for these sections of the answer. */
-export function partsOf(input, sections) {
-  const on = (id) => isOn(input, id) && sections.includes(WANTED.find((group) => group.id === id).section);
-  const { pin, fatigue, rollers, friction, gear: { kind, ...gear } = {}, bearing, crankshaft, requirements } = input.besides ?? {};
-  return {
-    ...(on("strength") && { pin, ...(fatigue && { fatigue }) }),
-    ...(on("rolling") && { rollers }),
-    ...(on("losses") && !on("rolling") && { friction: { ...friction, sleeve: on("strength") && sleeved(input) } }),
-    ...(on("bearings") && { gear: { ...(kind !== "ratio" && { kind }), ...gear }, bearing }),
-    ...(on("teeth") && ofRingPins(input.besides.deviations)),
-    ...(on("crank") && { crankshaft }),
-    ...(requirements && { requirements: { ...input.requirements, ...requirements } }),
+/**
+ * The design document that the form says, as all calculations take it: what belongs to these sections of the answer, or
+ * to all that are wanted. A contact law is always said of a mechanism as it is made: by the materials where none is chosen.
+ */
+export function documentOf({ mechanism, load, contact, besides = {}, ...others }, sections = null) {
+  const wanted = wantedSections({ mechanism, besides });
+  const asked = (section) => sections?.includes(section) ?? true;
+  const on = (section) => wanted.includes(section) && asked(section);
+  const made = isOn({ besides }, "real");
+  const { deviations: { pins, holes, cranks, ring_pins: ringPins } = {}, requirements } = besides;
+  const { contact_law: law = {}, satellite_coupling: shared, pin, fatigue, rollers, friction, gear: { kind, ...gear } = {}, bearing, crankshaft } = besides;
+  const deviations = {
+    ...(made && { ...listsOf(pins), ...listsOf(holes, bySatellites(mechanism.pins)), ...listsOf(cranks) }),
+    ...(on("ring_mesh") && listsOf(ringPins)),
   };
+  const parts = {
+    mechanism: askedOf(mechanism),
+    load: asked("contact_force") && load,
+    ...(asked("hertz") && {
+      contact: contact && fitted(contact),
+      contact_law: made && law,
+      deviations: Object.keys(deviations).length > 0 && deviations,
+      satellite_coupling: made && shared && { kind: "shares", ...shared },
+      pin: on("pin_strength") && pin,
+      fatigue: on("pin_strength") && fatigue,
+      rollers: on("rollers") && rollers,
+      friction: on("output_efficiency") && !on("rollers") && { ...friction, sleeve: on("pin_strength") && sleeved({ besides }) },
+      gear: on("satellite_bearing") && { ...(kind !== "ratio" && { kind }), ...gear },
+      bearing: on("satellite_bearing") && bearing,
+      crankshaft: on("crankshaft") && crankshaft,
+      ...others,
+      requirements: requirements ? { ...others.requirements, ...requirements } : others.requirements,
+    }),
+  };
+  return Object.fromEntries(Object.entries(parts).filter(([, part]) => part));
+}
+
+/** The body of a figure of the answer: the document by which that was asked, of no more pairs than are drawn. */
+export function drawnDocument(input, answer, [{ body: { include, ...asked } }]) {
+  refuseMore(asked.mechanism, MOST_PAIRS.drawn);
+  return asked;
 }
 
 /** What the form shows of a design document: the groups are on whose parts it has; a pin of one material has it in one field. */
-export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bearing, crankshaft, deviations, ...own }) {
+export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bearing, crankshaft, deviations = {}, ...own }) {
   const { requirements, contact } = own;
-  const [ring, others] = partedDeviations(deviations);
-  const count = Math.max(0, ...Object.values(ring ?? {}).map(({ length }) => length));
-  const rows = Array.from({ length: count }, (_, k) => Object.fromEntries(Object.entries(ring).map(([name, values]) => [name, values[k]])));
+  const ring = Object.entries(deviations).filter(([name]) => name.startsWith("ring_pin_"));
+  const count = Math.max(0, ...ring.map(([, { length }]) => length));
+  const rows = Array.from({ length: count }, (_, k) => Object.fromEntries(ring.map(([name, values]) => [name, values[k]])));
   const { material, ...bare } = given ?? {};
   const pin = given && JSON.stringify(material) === JSON.stringify(contact?.pin_material) ? bare : given;
   const ways = { notch_factor: "fatigue_notch_factor", notch: "notch", endurance_limit: "endurance_limit_MPa" };
@@ -456,9 +475,8 @@ export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bea
   const on = { on: "on" };
   return {
     ...own,
-    ...(others && { deviations: others }),
     besides: {
-      ...(ring && { deviations: { ring_pins: rows } }),
+      ...(count > 0 && { deviations: { ring_pins: rows } }),
       ...(pin && { strength: { ...on, surface: friction?.sleeve ? "sleeved" : "bare", fatigue: way }, pin, fatigue }),
       ...(rollers && { rolling: on, rollers }),
       ...(friction && { losses: on, friction }),
@@ -467,25 +485,5 @@ export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bea
       ...(crankshaft && { crank: on, crankshaft }),
       ...(requirements && { requirements }),
     },
-  };
-}
-
-/** Parts by which the real forces are judged. */
-export const MADE = ["contact_law", "deviations", "satellite_coupling"];
-
-/**
- * What a figure of a wanted section asks with: of the body that its numbers were asked with, all that the forces follow
- * from, and the section's own parts. Where these are solved for pins that bend alone, a law of contact says so.
- */
-export function figureBody(...own) {
-  return (input, answer, [{ body: { mechanism: { revolutions, ...mechanism }, load: { include, ...load }, ...parts } }]) => {
-    refuseMore(mechanism, MOST_PAIRS.drawn);
-    return {
-      mechanism,
-      load,
-      ...(answer?.load_sharing && { contact_law: {} }),
-      ...Object.fromEntries(["contact", "pin", "rollers", ...MADE, ...own].map((part) => [part, part === "deviations" ? partedDeviations(parts[part])[1] : parts[part]])
-        .filter(([, said]) => said)),
-    };
   };
 }
