@@ -20,6 +20,9 @@ from app.settings import OVER_UNIX, current
 MAX_HEAD_BYTES = 65_536
 """Largest size of request line and headers together."""
 
+LAST_REQUEST_SECONDS = 0.5
+"""Time in which an idle connection may still bring a request while the service stops, s."""
+
 MOST_BEYOND = 64
 """Largest number of connections beyond the limit, which briefly ask for a probe or are refused."""
 
@@ -44,7 +47,7 @@ class PatientProtocol(HttpToolsProtocol):
         self.answer_timer: asyncio.TimerHandle | None = None
         self.body_timer: asyncio.TimerHandle | None = None
         self.head_bytes: int | None = None  # None outside of a head
-        self.ending = False
+        self.stopping = self.ending = False
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         """Wait for the first request, and see if there is room for the connection."""
@@ -97,6 +100,8 @@ class PatientProtocol(HttpToolsProtocol):
         if unknown or len(self.url) + sum(map(len, chain(*self.headers))) > MAX_HEAD_BYTES:
             raise ValueError  # stops the parser, and is answered as what is no request
         super().on_headers_complete()
+        if self.stopping:
+            self.cycle.keep_alive = False  # the answer is the last of the connection
 
     def on_message_complete(self) -> None:
         """Note that the request is whole."""
@@ -128,6 +133,14 @@ class PatientProtocol(HttpToolsProtocol):
         super().on_response_complete()
         if self.ending and not self.transport.is_closing():
             self.transport.write_eof()
+
+    def shutdown(self) -> None:
+        """Stop; an idle connection has a moment more, as a request may be on its way."""
+        self.stopping = True
+        if self.cycle is None or self.cycle.response_complete:
+            self.loop.call_later(LAST_REQUEST_SECONDS, super().shutdown)
+        else:
+            super().shutdown()
 
     def pause_writing(self) -> None:
         """Wait for the client to take some of its answer."""
