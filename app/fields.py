@@ -92,12 +92,15 @@ class SectionFields(RequestModel):
 
     def section(self, around: Any = None) -> Any:
         """Section in SI units; `around` is the request."""
-        own, made = self.to_core(), self.DOCUMENT
+        return self.of_core()
+
+    def of_core(self, **derived: Any) -> Any:
+        """Dataclass in SI units, of given and derived values as far as it has their fields."""
+        made = self.DOCUMENT
         if isinstance(made, Mapping):
             made = made[self.kind]
-            names = {each.name for each in fields(made)}
-            own = {name: value for name, value in own.items() if name in names}
-        return made(**own)
+        own, names = self.to_core() | derived, {each.name for each in fields(made)}
+        return made(**{name: value for name, value in own.items() if name in names})
 
 
 class RequestField(NamedTuple):

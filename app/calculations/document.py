@@ -40,7 +40,6 @@ from core.design.document import Design
 from core.design.results import Results
 from core.errors import CalculationError, Notice, if_known, required
 from core.output.contact_force import drawing_angles
-from core.output.elasticity import RingInSeries
 from core.output.mechanism import Mechanism, Members, PinFit, pin_fit
 
 Result = TypeVar("Result")
@@ -48,11 +47,7 @@ Result = TypeVar("Result")
 Needs = tuple[str, ...]
 """Paths of sections and fields of a document in JSON, such as ``load/input_speed_rpm``."""
 
-INSTEAD = {
-    "friction": "rollers",
-    "load/output_torque_Nm": "load/input_torque_Nm",
-    "mechanism/satellite_teeth": "mechanism/ratio",
-}
+INSTEAD = {"friction": "rollers", "load/output_torque_Nm": "load/input_torque_Nm"}
 """Parts of a document that stand for others: rollers have friction."""
 
 OF_BOTH = "ring_speed_rpm", "carrier_speed_rpm"
@@ -95,12 +90,8 @@ PIN_SECTIONS = ("contact_law", "deviations", "pin", "crank_support", "satellite_
 ForcesUsed = Literal["ideal", "real"]
 
 
-class _UsualCoupling:
-    """Coupling of a design without a stated one: both meshes in series, if they are known."""
-
-    def section(self, _: Any = None) -> RingInSeries:
-        """The coupling in SI units."""
-        return RingInSeries()
+USUAL_COUPLING = SatelliteCouplingFields(kind="ring")
+"""Coupling of a design without a stated one: both meshes in series, if they are known."""
 
 
 class DocumentFields(RequestModel):
@@ -284,11 +275,7 @@ class DocumentFields(RequestModel):
             ratio = self.mechanism.ratio_given()
             if not ratio.is_integer():
                 found += (Notice("ratio_not_whole", {"ratio": ratio}),)
-        if self.contact is None or not self.contact.clearance_unknown:
-            return found  # a missing eccentricity is reported already
-        perfect = tuple(each for each in found if each.code != "perfect_parts")
-        unknown = len(perfect) < len(found)
-        return (Notice("clearance_unknown"), *perfect) if unknown else perfect
+        return found
 
     def cost(self) -> float:
         """Infinite, as solutions and searches leave the event loop."""
@@ -301,9 +288,8 @@ class DocumentFields(RequestModel):
         if coupling := self.satellite_coupling:
             coupling.refuse_other_shares(satellites)
         if self.deviations is not None:
-            self.deviations.refuse_other_lengths(pins, satellites)
-            if self.deviations.ring_lists:
-                self.deviations.refuse_other_ring(if_known(lambda: self.design.ring_pins))
+            known = if_known(lambda: self.design.ring_pins) if self.lists_ring_pins else None
+            self.deviations.refuse_other_lengths(pins, satellites, known)
         super().refuse_beyond(settings)
 
     @cached_property
@@ -325,7 +311,7 @@ class DocumentFields(RequestModel):
         if "contact" not in given:
             given.pop("pin", None)
         if "gear" in given and "satellite_coupling" in self.uses:
-            given.setdefault("satellite_coupling", _UsualCoupling())
+            given.setdefault("satellite_coupling", USUAL_COUPLING)
         return given
 
     @cached_property

@@ -5,16 +5,12 @@ clearance and the sizes that follow; and the fit of pins in holes.
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import fields
 from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from app.calculations.hertz import (
-    ContactFields,
-    of_load_factor,
-)
+from app.calculations.hertz import ContactFields, of_load_factor
 from app.fields import SectionFields
 from app.model import (
     Maybe,
@@ -236,9 +232,8 @@ class MechanismFields(SectionFields, of=MechanismSection, group="mechanism"):
     @cached_property
     def in_si(self) -> MechanismSection:
         """Mechanism in SI units."""
-        own = self.to_core()
-        known = {name: own[name] for name in OF_MECHANISM if name in own}
-        return MechanismSection(**known | {"ratio": self.ratio_given()})
+        made: MechanismSection = self.of_core(ratio=self.ratio_given())
+        return made
 
     def section(self, around: Any = None) -> MechanismSection:
         """Section of the design in SI units."""
@@ -252,9 +247,6 @@ class MechanismFields(SectionFields, of=MechanismSection, group="mechanism"):
     def members(self) -> Members:
         """Crank, pins and ring, one of which is the output."""
         return Members(self.in_si.output, self.in_si.ratio)
-
-
-OF_MECHANISM = tuple(each.name for each in fields(MechanismSection))
 
 
 class PairOut(ResponseModel):
@@ -325,9 +317,13 @@ class PinContactFields(ContactFields, of=Contact, group="contact"):
         return contact.clearance_unknown
 
     def notices(self) -> tuple[Notice, ...]:
-        """Notices, also of a factor below 1, and of parts without clearance, taken as perfect."""
+        """Notices, also of a factor below 1, and of parts without clearance, taken as perfect, or
+        with an unknown one.
+        """
         found = super().notices() + of_load_factor(self.dynamic_factor)
-        return found + ((Notice("perfect_parts"),) if self.in_si.clearance == 0 else ())
+        if self.in_si.clearance != 0:
+            return found
+        return (*found, Notice("clearance_unknown" if self.clearance_unknown else "perfect_parts"))
 
     @property
     def surface(self) -> dict[str, Any]:

@@ -198,10 +198,13 @@ class RingMeshRequest(SolvedFields, group="positions"):
             yield ("contact", "hole_material"), contact.hole_material
 
     def notices(self) -> tuple[Notice, ...]:
-        """Notices without those of pins in holes, and that of an unknown modification."""
-        found = tuple(each for each in super().notices() if each.code not in OF_HOLES)
-        unknown = self.ring_kind == "cycloid" and not self.says("gear/modification")
-        return found + ((Notice("modification_unknown"),) if unknown else ())
+        """Notices without those of pins in holes."""
+        return tuple(each for each in super().notices() if each.code not in OF_HOLES)
+
+    @property
+    def asks_for_discs(self) -> bool:
+        """True for cycloid discs."""
+        return self.ring_kind == "cycloid"
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse inputs beyond the operator's limits or too slow, and lists of other lengths."""

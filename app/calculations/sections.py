@@ -1,22 +1,13 @@
 """Sections of the design document in a request: load, deviations, supports, friction, bearings."""
 
 from collections.abc import Iterator
-from dataclasses import fields
-from typing import Annotated, Any, Literal
+from typing import Any, Literal
 
-from pydantic import Field
-
-from app.calculations.hertz import (
-    of_load_factor,
-)
-from app.calculations.ideal_forces import (
-    LoadFields,
-)
+from app.calculations.hertz import of_load_factor
+from app.calculations.ideal_forces import LoadFields
 from app.calculations.named_bearing import NamedBearingFields
 from app.fields import SectionFields
-from app.model import (
-    quantity,
-)
+from app.model import quantity
 from app.problems import invalid_input, refusal, wrong
 from app.units import core_name
 from core.design.sections import (
@@ -30,13 +21,8 @@ from core.design.sections import (
     Temperatures,
 )
 from core.errors import Notice
-from core.output.elasticity import (
-    COUPLINGS,
-    CrankSupport,
-)
+from core.output.elasticity import COUPLINGS, CrankSupport
 from core.output.room import OF_RING_PINS, Deviations
-
-Phase = Annotated[float, Field(ge=-360, le=360)]
 
 
 class CrankSupportFields(SectionFields, of=CrankSupport, group="crank_support"):
@@ -66,42 +52,30 @@ class DeviationsFields(SectionFields, of=Deviations, group="deviations"):
     sense, larger, ahead.
     """
 
-    def refuse_other_lengths(self, pins: int | None, satellites: int) -> None:
-        """Refuse lists that do not fit the mechanism; without pins those of satellites alone."""
+    def refuse_other_lengths(
+        self, pins: int | None, satellites: int, ring_pins: int | None
+    ) -> None:
+        """Refuse lists that do not fit the mechanism, as far as its numbers are known."""
         errors = [
             wrong(f"/deviations/{place}", "different_length", expected=want, actual=have)
-            for place, want, have in self._lengths(pins, satellites)
+            for place, want, have in self._lengths(pins, satellites, ring_pins)
             if want not in (None, have)
         ]
         if errors:
             raise invalid_input(errors)
 
-    def _lengths(self, pins: int | None, satellites: int) -> Iterator[tuple[str, int | None, int]]:
+    def _lengths(
+        self, pins: int | None, satellites: int, ring_pins: int | None
+    ) -> Iterator[tuple[str, int | None, int]]:
+        """Places of lists with the length that they need and the one that they have."""
         for name, value in self.given.items():
-            if name.startswith("ring"):
-                continue
-            if not name.startswith("hole"):
+            if name in RING_PIN_LISTS:
+                yield name, ring_pins, len(value)
+            else:
                 yield name, pins if name.startswith("pin") else satellites, len(value)
-                continue
-            yield name, satellites, len(value)
-            for index, row in enumerate(value):
-                yield f"{name}/{index}", pins, len(row)
-
-    @property
-    def ring_lists(self) -> dict[str, list[float]]:
-        """Given lists by their field."""
-        given = {name: getattr(self, name) for name in RING_PIN_LISTS}
-        return {name: value for name, value in given.items() if value}
-
-    def refuse_other_ring(self, pins: int | None) -> None:
-        """Refuse lists without one value for each ring pin, if the number of pins is known."""
-        errors = [
-            wrong(f"/deviations/{name}", "different_length", expected=pins, actual=len(value))
-            for name, value in self.ring_lists.items()
-            if pins not in (None, len(value))
-        ]
-        if errors:
-            raise invalid_input(errors)
+            if name.startswith("hole"):
+                for index, row in enumerate(value):
+                    yield f"{name}/{index}", pins, len(row)
 
 
 RING_PIN_LISTS = tuple(
@@ -118,14 +92,12 @@ class DesignLoadFields(LoadFields, of=Load, group="load"):
         return super().notices() + of_load_factor(self.application_factor)
 
     def section(self, around: Any = None) -> Load:
-        """The load in SI units."""
-        own, factor = self.to_core(), around.older_factor
-        known = {name: own[name] for name in OF_LOAD if name in own}
+        """The load in SI units, with the torque of the output."""
+        factor = around.older_factor
         older = {} if factor is None else {"application_factor": factor}
-        return Load(**older | known | {"output_torque": self.torque(around.mechanism.members)})
-
-
-OF_LOAD = tuple(each.name for each in fields(Load))
+        torque = self.torque(around.mechanism.members)
+        made: Load = self.of_core(output_torque=torque, **older)
+        return made
 
 
 class SatelliteBodyFields(SectionFields, of=SatelliteBody, group="satellite_body"):

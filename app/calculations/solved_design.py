@@ -55,12 +55,16 @@ class SolvedFields(DocumentFields):
         """True if both meshes are solved in series."""
         return self.results.in_series
 
+    @property
+    def asks_for_discs(self) -> bool:
+        """True if cycloid discs in their ring are asked for: by both meshes in series."""
+        coupling = self.satellite_coupling
+        return coupling is not None and coupling.kind == "ring" and "gear" in self.uses
+
     def notices(self) -> tuple[Notice, ...]:
-        """Notices, also of an unknown modification if both meshes are asked for in series."""
-        found, coupling = super().notices(), self.satellite_coupling
-        asked = coupling is not None and coupling.kind == "ring" and "gear" in self.uses
-        unknown = asked and not self.says("gear/modification")
-        return found + ((Notice("modification_unknown"),) if unknown else ())
+        """Notices, also of an unknown modification of discs that are asked for."""
+        unknown = self.asks_for_discs and not self.says("gear/modification")
+        return super().notices() + ((Notice("modification_unknown"),) if unknown else ())
 
     @property
     def times_as_long(self) -> int:
@@ -87,7 +91,7 @@ class SolvedFields(DocumentFields):
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse more pairs than the operator allows or a tie ring may join."""
         super().refuse_beyond(settings)
-        if self.contact and self.contact.distribution_factor > 1:
+        if self.design.touching and self.design.contact.distribution_factor > 1:
             raise InvalidInput("contact.distribution_factor", None, "with_real_forces")
         if self.design.tied:
             self.refuse_pairs(MOST_TIED)

@@ -8,7 +8,6 @@ from typing import Annotated, Any, ClassVar, Literal, Self, get_args
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from app.calculations.mechanism import Deviation, class_pattern
-from app.calculations.sections import Phase
 from app.model import (
     LARGEST,
     UNION_TAGS,
@@ -25,6 +24,8 @@ from core.tolerance.draws import Distribution, Spread
 from core.tolerance.iso286 import SIZES, Limits, class_limits
 from core.tolerance.processes import PROCESSES, Process, ProcessName
 from core.tolerance.tolerances import Tolerances
+
+Phase = Annotated[float, Field(ge=-360, le=360)]
 
 Part = Literal["pin", "hole"]
 

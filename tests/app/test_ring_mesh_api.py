@@ -129,10 +129,20 @@ async def test_what_is_not_known_is_said(api):
     answer = (await api.post(PATH, json=body)).json()
     codes = [each["code"] for each in answer["warnings"]]
     assert codes == ["modification_unknown", "seat_rigid"]
+    in_series = body | {"satellite_coupling": {"kind": "ring"}}
+    assert (await api.post(PATH, json=in_series)).json()["warnings"] == answer["warnings"]
     stated = changed(gear=BASE["gear"] | {"modification": {}})
     del stated["deviations"]
     answer = (await api.post(PATH, json=stated)).json()
     assert "warnings" not in answer
+
+
+async def test_output_pins_do_not_matter_to_the_ring(api):
+    touching = {"pin_radius_mm": 5, "distribution_factor": 1.2}
+    alone, whole = changed(), changed(contact=touching, mechanism={"pins": 8})
+    del alone["deviations"], whole["deviations"]
+    answer = (await api.post(PATH, json=whole)).json()
+    assert answer["positions"] == (await api.post(PATH, json=alone)).json()["positions"]
 
 
 async def test_bent_pins_and_sleeves(api):
