@@ -5,6 +5,7 @@ import random
 
 import pytest
 
+from app.examples import EXAMPLES
 from core.checks.reserve import NEAR
 from core.precision import EXACT
 from tests.inputs.failing import failing
@@ -299,3 +300,15 @@ async def test_losses_alone_are_looked_at_under_more_torque_too(api):
     assert (await answered(api, times(asked, 1.1)))["verdict"] == "fail"
     sure = await answered(api, body)
     assert sure["verdict"] == "pass" and "torque_reserve" not in sure
+
+
+@pytest.mark.parametrize("torque", [200, 300, 420])
+async def test_of_two_limits_of_a_pressure_the_lower_one_governs(api, torque):
+    """The disc's material has the lower limit, so that it fails first as the torque grows."""
+    body = next(each["input"] for each in EXAMPLES if each["id"] == "cycloid")
+    load = body["load"] | {"output_torque_Nm": torque}
+    answer = await answered(api, body | {"load": load, "include": ["checks"]})
+    by_code = {each["code"]: each for each in answer["checks"]}
+    disc, pin = (by_code[f"ring_pressure_{body}"] for body in ("disc", "pin"))
+    assert disc["utilisation"] > pin["utilisation"]
+    assert answer["governing"] == disc["code"]
