@@ -324,12 +324,22 @@ class BearingOut(ResponseModel):
     """A bearing of the table."""
 
     name: str = Field(description="Name of the bearing in requests.")
-    kind: str = Field(description="Kind of rolling elements.")
-    bore_diameter_mm: float = Field(description="Bore d.")
+    series: str = Field(description="Series of the bearing.")
+    kind: str = Field(description="Kind of rolling elements: ball or roller.")
+    elements: str = Field(description="Rolling elements: ball, cylindrical or needle.")
+    inner_ring: bool = Field(
+        description="False if the shaft is the raceway of the bearing; the ratings then hold for a "
+        "shaft of at least 58 HRC."
+    )
+    bore_diameter_mm: float = Field(
+        description="Bore d; without an inner ring the diameter of the shaft."
+    )
     outer_diameter_mm: float = Field(description="Outer diameter D.")
     width_mm: float = Field(
         description="Width B of the shielded bearing; open bearings may be narrower."
     )
+    mass_kg: float = Field(description="Mass.")
+    mass_source: str = Field(description="Catalogue in which the mass is stated.")
     dynamic_rating_N: float = Field(
         description="Lowest basic dynamic load rating C of all makers; calculations by the "
         "bearing's name use it."
@@ -343,11 +353,12 @@ class BearingOut(ResponseModel):
     @classmethod
     def of(cls, bearing: NamedBearing) -> "BearingOut":
         """Answer of a table entry."""
-        sizes = ("bore_diameter_mm", "outer_diameter_mm", "width_mm")
+        said = ("name", "series", "kind", "elements", "inner_ring")
+        sizes = ("bore_diameter_mm", "outer_diameter_mm", "width_mm", "mass_kg")
         return cls(
-            name=bearing.name,
-            kind=bearing.kind,
+            **{each: getattr(bearing, each) for each in said},
             **{size: from_si(size, getattr(bearing, core_name(size))) for size in sizes},
+            mass_source=MAKERS[bearing.mass_maker],
             dynamic_rating_N=bearing.dynamic_rating,
             static_rating_N=bearing.static_rating,
             makers=[BearingRatingsOut.of(each) for each in bearing.makers],

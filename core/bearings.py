@@ -1,26 +1,58 @@
-"""Rolling bearings by name: sizes, and load ratings as several makers state them."""
+"""Rolling bearings by name: sizes, mass, and load ratings as several makers state them.
 
+Each series has a table in `bearing_tables`. The first column names the bearings and is headed by
+their series; two that share their ratings stand in one row. `d`, `D` and `B` are in mm, `kg` is the
+mass by the maker in `of`. The column of a maker has C and C0 in N; `-ZZ` after the maker says that
+they hold for shielded bearings only.
+"""
+
+import csv
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from difflib import get_close_matches
+from pathlib import Path
 from typing import Literal
+
+TABLES = Path(__file__).parent / "bearing_tables"
+"""Folder of the tables."""
 
 MAKERS = {
     "FBJ": "FBJ catalogue",
     "ISB": "ISB catalogue, kN to 0.01",
-    "Koyo": "Koyo standard bearings, kN to 0.01",
+    "Koyo": "Koyo standard bearings, CAT. NO. B2001, kN to 0.01",
+    "NKE": "NKE General Catalogue, 2018/10",
     "NMB": "NMB ball bearings catalogue, by their own names",
     "NSK": "NSK Rolling Bearings, CAT. No. E1102e",
-    "NTN": "NTN deep groove ball bearings",
+    "NTN": "NTN Ball and Roller Bearings, CAT. NO. 2202; Needle Roller Bearings, CAT. NO. 2300",
+    "SKF": "SKF Rolling bearings, PUB BU/P1 17000/1 EN, October 2018",
     "ZEN": "ZEN standard catalogue, V.10/12",
 }
 """Catalogue that the ratings of each maker were read in."""
 
-SUFFIXES = r"(ZZ|Z|2Z|RS|2RS|2RS1|2RSR|2RSH|DD|VV|DDU|LLU|LLB|OPEN)?"
+SUFFIXES = r"(?:ZZ|Z|2Z|RS|2RS|2RS1|2RSR|2RSH|DD|VV|DDU|LLU|LLB|OPEN)?"
 """Suffixes of bearing names for shields and seals, which change no rating here."""
 
-NEAR, ALIKE = 5, 0.5
-"""Most names offered in place of an unknown one, and their least similarity (difflib)."""
+SPELLINGS = (
+    (rf"((?:MR)?\d+)[- ]?{SUFFIXES}", r"\1"),
+    (rf"6(?:1([89])([01]\d)|1(9)/([3-9]))[- ]?{SUFFIXES}", r"6\1\2\3\4"),
+    (r"(N[UJ]) ?(\d{3})", r"\1\2"),
+    (r"(N[UJ]) ?(\d{3})[- ]?(?:E[A-Z\d-]*|R)", r"\1\2E"),
+    (r"(R?NA|HK) ?(\d+(?:/\d\d)?)", r"\1\2"),
+)
+"""Names of makers as patterns, and those of the tables: 61805 is 6805, NU205ECP is NU205E."""
+
+ELEMENTS: dict[str, Literal["cylindrical", "needle"]] = {
+    "NU": "cylindrical",
+    "NJ": "cylindrical",
+    "NA": "needle",
+    "RN": "needle",
+    "HK": "needle",
+}
+"""Rolling elements by the first letters of a series; others have balls."""
+
+NEAR = 5
+"""Names offered in place of an unknown one."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,14 +67,31 @@ class Ratings:
 
 @dataclass(frozen=True, slots=True)
 class NamedBearing:
-    """Sizes and load ratings of a named bearing."""
+    """Sizes, mass and load ratings of a named bearing."""
 
     name: str  # without the suffix of shields or seals
-    kind: Literal["ball", "roller"]  # rolling elements
-    bore_diameter: float  # d, m
+    series: str  # such as 62, NU2, RNA49
+    bore_diameter: float  # d, m; without an inner ring the diameter of the shaft
     outer_diameter: float  # D, m
     width: float  # B of the shielded bearing, m; open ones may be narrower
+    mass: float  # kg
+    mass_maker: str  # a key of `MAKERS`
     makers: tuple[Ratings, ...]  # ratings of each maker
+
+    @property
+    def elements(self) -> Literal["ball", "cylindrical", "needle"]:
+        """Rolling elements."""
+        return ELEMENTS.get(self.series[:2], "ball")
+
+    @property
+    def kind(self) -> Literal["ball", "roller"]:
+        """Kind of rolling elements, which states the exponent of the load in the life."""
+        return "ball" if self.elements == "ball" else "roller"
+
+    @property
+    def inner_ring(self) -> bool:
+        """True if the bearing has an inner ring; else the shaft, of 58 HRC at least, is raceway."""
+        return self.series not in ("RNA49", "HK")
 
     @property
     def dynamic_rating(self) -> float:
@@ -55,126 +104,55 @@ class NamedBearing:
         return min(each.static_rating for each in self.makers)
 
 
-def _ball(name: str, bore: float, outer: float, width: float, rated: str) -> NamedBearing:
-    """Deep groove ball bearing of sizes in mm; `rated` lists maker, C and C0 in N."""
-    ratings = []
-    for each in rated.split(", "):
-        maker, dynamic, static = each.split()
-        own, _, shielded = maker.partition("-")
-        ratings.append(Ratings(own, bool(shielded), float(dynamic), float(static)))
-    return NamedBearing(name, "ball", bore / 1e3, outer / 1e3, width / 1e3, tuple(ratings))
+def _read(table: Path) -> Iterator[NamedBearing]:
+    """Bearings of the table of a series."""
+    with table.open(encoding="utf-8", newline="") as lines:
+        head, *rows = csv.reader(lines)
+    kinds = head[0].split()
+    for names, d, outer, width, kg, weighed, *rated in rows:
+        makers = []
+        for maker, said in zip(head[6:], rated, strict=True):
+            if said:
+                own, _, shielded = maker.partition("-")
+                dynamic, static = said.split()
+                makers.append(Ratings(own, bool(shielded), float(dynamic), float(static)))
+        bores, masses = (each.split() * len(kinds) for each in (d, kg))
+        for series, name, bore, mass in zip(kinds, names.split(), bores, masses, strict=False):
+            yield NamedBearing(
+                name=name,
+                series=series,
+                bore_diameter=float(bore) / 1e3,
+                outer_diameter=float(outer) / 1e3,
+                width=float(width) / 1e3,
+                mass=float(mass),
+                mass_maker=weighed,
+                makers=tuple(makers),
+            )
 
 
 BEARINGS: dict[str, NamedBearing] = {
-    each.name: each
-    for each in (
-        _ball(
-            "MR63", 3, 6, 2.5,
-            "NSK 208 74, NMB 206 73, FBJ 206 74, ZEN 209 74, Koyo 190 60, ISB 160 60",
-        ),
-        _ball(
-            "683", 3, 7, 3,
-            "NSK 390 130, NMB 384 129, FBJ 314 108, ZEN 311 112, Koyo 310 110, ISB 240 100",
-        ),
-        _ball(
-            "623", 3, 10, 4,
-            "NSK 630 218, NMB 641 226, FBJ 628 216, ZEN 631 219, Koyo 640 230, ISB 530 180",
-        ),
-        _ball(
-            "MR74", 4, 7, 2.5,
-            "NSK-ZZ 255 107, NSK 310 115, NMB 252 106, FBJ-ZZ 255 108, "
-            "FBJ 314 118, ZEN 255 108, Koyo 260 110",
-        ),
-        _ball(
-            "MR84", 4, 8, 3,
-            "NSK 395 139, NMB 384 140, FBJ 392 137, ZEN 395 141, Koyo 400 140, ISB 300 120",
-        ),
-        _ball(
-            "684", 4, 9, 4,
-            "NSK 640 225, NMB 641 226, FBJ 638 226, ZEN 641 227, Koyo 640 230, ISB 490 220",
-        ),
-        _ball(
-            "624", 4, 13, 5,
-            "NSK 1300 485, NMB 1306 487, FBJ 1305 490.5, ZEN 1301 488, Koyo 1300 490, ISB 920 290",
-        ),
-        _ball(
-            "MR85", 5, 8, 2.5,
-            "NSK-ZZ 278 131, NSK 310 120, NMB 274 130, FBJ-ZZ 216 88, "
-            "FBJ 304 118, ZEN 218 90, Koyo 260 120, ISB 210 100",
-        ),
-        _ball(
-            "MR95", 5, 9, 3,
-            "NSK 430 168, NMB 495 207, FBJ 432 167, ZEN 431 169, Koyo 470 190, ISB 330 140",
-        ),
-        _ball(
-            "MR105", 5, 10, 4,
-            "NSK 430 168, NMB 714 276, FBJ 432 167, ZEN 431 169, Koyo 500 210, ISB 330 140",
-        ),
-        _ball(
-            "685", 5, 11, 5,
-            "NSK 715 281, NMB 714 276, FBJ 716 294, ZEN 716 282, Koyo 970 360, ISB 550 250",
-        ),
-        _ball(
-            "625", 5, 16, 5,
-            "NSK 1730 670, NMB 1735 671, FBJ 1727 676.9, ZEN 1729 675, Koyo 1750 670",
-        ),
-        _ball(
-            "MR106", 6, 10, 3,
-            "NSK 495 218, NMB 457 194, FBJ 500 216, ZEN 496 218, Koyo 500 220, ISB 380 180",
-        ),
-        _ball(
-            "686", 6, 13, 5,
-            "NSK 1080 440, NMB 1083 438, FBJ 1079 441, ZEN 1082 442, Koyo 1100 440, ISB 830 400",
-        ),
-        _ball(
-            "626", 6, 19, 6,
-            "NSK 2340 885, NMB 2614 1053, FBJ 2335 892.7, ZEN 2336 896, "
-            "Koyo 2600 1050, ISB 1820 920",
-        ),
-        _ball(
-            "687", 7, 14, 5,
-            "NSK 1170 510, NMB 1175 511, FBJ 1177 510, ZEN 1173 513, Koyo 1150 510, ISB 910 450",
-        ),
-        _ball(
-            "688", 8, 16, 5,
-            "NSK 1610 710, NMB 1606 712, FBJ 1256 589, ZEN 1252 592, Koyo 1600 710, ISB 970 500",
-        ),
-        _ball(
-            "608", 8, 22, 7,
-            "NSK 3300 1370, NMB 3297 1368, FBJ 3296 1383, ZEN 3293 1379, Koyo 3300 1350",
-        ),
-        _ball(
-            "6800", 10, 19, 5,
-            "NSK 1720 840, NTN 1830 925, Koyo 1700 840, NMB 2123 985, FBJ 1380 585, ISB 1400 580",
-        ),
-        _ball(
-            "6801", 12, 21, 5,
-            "NSK 1920 1040, NTN 1920 1040, Koyo 1900 1050, NMB 1917 1042, FBJ 1430 670",
-        ),
-        _ball("6802", 15, 24, 5, "NSK 2070 1260, Koyo 2100 1250, NMB 2076 1258, FBJ 1560 800"),
-        _ball("6803", 17, 26, 5, "NSK 2630 1570, Koyo 2600 1550, FBJ 1680 930"),
-        _ball("6804", 20, 32, 7, "NSK 4000 2470, Koyo 4000 2450, FBJ 2700 1500"),
-        _ball("6805", 25, 37, 7, "NSK 4500 3150, Koyo 4300 2950, FBJ 4360 2600, ISB 4280 2600"),
-        _ball("6806", 30, 42, 7, "NSK 4700 3650, Koyo 4550 3400, FBJ 4490 2900"),
-    )
-}  # fmt: skip
+    each.name: each for table in sorted(TABLES.glob("*.csv")) for each in _read(table)
+}
 """Bearings by name. Ratings of makers differ by up to a factor of two; the lowest are safe."""
 
 
 def named_bearing(name: str) -> NamedBearing | None:
-    """Bearing by its name, such as 686, 686ZZ or MR105-2RS; None if the table lacks it.
+    """Bearing by its name, such as 686ZZ, NU 205 ECP or HK1512; None if no table has it.
 
     >>> named_bearing("686-2rs").dynamic_rating
     830.0
     """
-    found = re.fullmatch(rf"((?:MR)?\d+)[- ]?{SUFFIXES}", name.strip().upper())
-    return None if found is None else BEARINGS.get(found[1])
+    said = name.strip().upper()
+    for pattern, plain in SPELLINGS:
+        if (found := re.fullmatch(pattern, said)) and (own := found.expand(plain)) in BEARINGS:
+            return BEARINGS[own]
+    return None
 
 
 def names_like(name: str) -> list[str]:
-    """At most `NEAR` names of the table that resemble an unknown one, the most similar first.
+    """`NEAR` names of the tables that resemble an unknown one most, the most similar first.
 
-    >>> names_like("689")[:2]
-    ['688', '687']
+    >>> names_like("6805ab")[:2]
+    ['6805', '685']
     """
-    return get_close_matches(name.strip().upper(), BEARINGS, n=NEAR, cutoff=ALIKE)
+    return get_close_matches(name.strip().upper().replace(" ", ""), BEARINGS, n=NEAR, cutoff=0)

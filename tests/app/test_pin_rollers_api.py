@@ -141,14 +141,18 @@ async def test_the_table_of_bearings(api):
     assert (small["dynamic_rating_N"], small["static_rating_N"]) == (330, 140)
     assert max(each["dynamic_rating_N"] for each in small["makers"]) == 714
     assert all(each["source"] for row in rows for each in row["makers"])
+    (cup,) = (each for each in rows if each["name"] == "HK1512")
+    assert (cup["series"], cup["kind"], cup["elements"]) == ("HK", "roller", "needle")
+    assert (cup["inner_ring"], cup["bore_diameter_mm"], cup["mass_kg"]) == (False, 15, 0.011)
+    assert cup["mass_source"].startswith("SKF") and small["inner_ring"]
 
 
 async def test_names_that_are_none_are_refused_with_those_that_are_like_them(api):
-    body = having(SMALL, rollers=None) | {"rollers": {"name": "689"}}
+    body = having(SMALL, rollers=None) | {"rollers": {"name": "6884"}}
     (error,) = (await answered(api, body, status=422))["errors"]
     assert (error["pointer"], error["code"]) == ("/rollers/name", "no_such_bearing")
     assert "688" in error["detail"] and "may be given instead" in error["detail"]
-    bearing = SMALL | {"bearing": {"name": "6208"}}
+    bearing = SMALL | {"bearing": {"name": "7208"}}
     assert await refused(api, bearing) == ("/bearing/name", "no_such_bearing")
     assert await refused(api, SMALL | {"bearing": {}}) == ("/bearing/kind", "needed")
 

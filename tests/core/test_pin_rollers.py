@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from core.bearings import BEARINGS, MAKERS, named_bearing, names_like
 from core.checks.usual_fit import usual_clearance
 from core.crank.pin_rollers import UNKNOWN_ELEMENTS, PinRollers, pin_rollers, unsupported_shares
 from core.design.document import Design
@@ -389,26 +388,3 @@ def test_pins_are_as_thick_as_their_rollers_are_bored_and_have_no_sleeves() -> N
     assert (refused.value.parameter, refused.value.code) == ("friction.sleeve", "only_one")
     needles = replace(ROLLERS, kind="needle", outer_diameter=0.016)
     assert rolled(needles).rollers.kind == "needle"
-
-
-def test_the_lowest_rating_of_all_makers_is_what_a_name_says() -> None:
-    assert len(BEARINGS) == 25
-    for name, each in BEARINGS.items():
-        assert name == each.name and 0 < each.bore_diameter < each.outer_diameter
-        assert {maker.maker for maker in each.makers} <= {*MAKERS} and len(each.makers) > 2
-        assert all(each.dynamic_rating <= maker.dynamic_rating for maker in each.makers)
-        assert each.static_rating < each.dynamic_rating
-    found = BEARINGS["MR105"]
-    assert (found.dynamic_rating, found.static_rating, found.width) == (330, 140, 0.004)
-    assert (BEARINGS["686"].dynamic_rating, BEARINGS["686"].outer_diameter) == (830, 0.013)
-
-
-@pytest.mark.parametrize("name", ["686", " 686 ", "686ZZ", "686-2RS", "686 2rs", "686zz"])
-def test_a_name_says_how_a_bearing_is_closed_or_not(name: str) -> None:
-    assert named_bearing(name) is BEARINGS["686"]
-
-
-@pytest.mark.parametrize("name", ["", "68", "6866", "686XY", "MR686", "six"])
-def test_other_names_are_none(name: str) -> None:
-    assert named_bearing(name) is None
-    assert {*names_like(name)} <= {*BEARINGS}
