@@ -5,8 +5,9 @@ conversion to SI units follow.
 
 import math
 from collections.abc import Collection, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import MISSING, fields, is_dataclass
-from functools import cache, reduce
+from functools import cache, cached_property, reduce
 from itertools import chain
 from operator import or_
 from types import NoneType, new_class
@@ -16,18 +17,20 @@ from typing import (
     Any,
     ClassVar,
     NamedTuple,
+    Self,
     cast,
     get_args,
     get_type_hints,
 )
 
-from pydantic import AfterValidator, BeforeValidator
+from pydantic import AfterValidator, BeforeValidator, model_validator
 from pydantic import Field as Limits
 from pydantic.fields import FieldInfo
 
 from app.model import NO_DUST, Maybe, RequestModel, no_dust, quantity, whole
-from app.rules import Rule
-from app.units import Convert, from_si
+from app.rules import Rule, field_error
+from app.units import Convert, from_si, refusal_params
+from core.errors import InvalidInput, NotKnown
 from core.fields import Input, help_of
 
 LIMITED: Any = Annotated
@@ -86,13 +89,31 @@ class SectionFields(RequestModel):
             else:
                 stated |= {name for name, each in chosen.items() if each.needed}
             _give_fields(cls, chosen, stated, group)
-            _give_rules(cls, kinds, {"kind": "kind"} | {name: chosen[name].name for name in chosen})
+            named = {core: each.input.alias or each.name for core, each in chosen.items()}
+            _give_rules(cls, kinds, {"kind": "kind"} | named)
             cls.DOCUMENT = of
         super().__init_subclass__(group=group, **config)
 
+    @model_validator(mode="after")
+    def _as_core_takes_it(self) -> Self:
+        if type(self).section is SectionFields.section:
+            with suppress(NotKnown):
+                try:
+                    self.section()
+                except InvalidInput as error:
+                    path = self.path_of(error.parameter)
+                    params = refusal_params(error.code, error.params, path)
+                    raise field_error("/".join(map(str, path)), error.code, **params) from error
+        return self
+
+    @cached_property
+    def made(self) -> Any:
+        """Section in SI units, which the request alone says."""
+        return self.of_core()
+
     def section(self, around: Any = None) -> Any:
         """Section in SI units; `around` is the request."""
-        return self.of_core()
+        return self.made
 
     def of_core(self, **derived: Any) -> Any:
         """Dataclass in SI units, of given and derived values as far as it has their fields."""
@@ -187,8 +208,8 @@ def _field(each: RequestField, given: dict[str, Any]) -> Any:
         given["alias"] = about.alias
     if not about.title:
         return Limits(description=each.help, **given)
-    offered = {"x-options": [*about.options]} if about.options else {}
-    given["schema"] = (NO_DUST if about.or_zero else {}) | offered
+    more = {"x-options": [*about.options], "pattern": about.pattern and f"^{about.pattern}$"}
+    given["schema"] = (NO_DUST if about.or_zero else {}) | {k: v for k, v in more.items() if v}
     given |= {"help": each.help, "step": about.step, "advanced": about.advanced}
     return quantity(about.title, about.symbol, **given)
 

@@ -345,7 +345,7 @@ def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
     plan = {}
     for name, field in model.model_fields.items():
         part = any(hasattr(held, "section") for held, _ in _held(field.annotation))
-        convert = _section if part else model.CONVERTERS.get(name) or to_si_converter(name)
+        convert = model.CONVERTERS.get(name) or (_section if part else to_si_converter(name))
         plan[name] = _InCore(core_name(name), convert)
     return plan
 
@@ -434,7 +434,7 @@ def core_paths(shape: Shape) -> dict[str, tuple[str, ...]]:
     plan = _core_plan(model)
     found: dict[str, tuple[str, ...]] = {}
     for name, (core, _) in reversed(plan.items()):
-        found[core] = (name,)
+        found[core] = (model.model_fields[name].alias or name,)
     for name, (core, _) in plan.items():
         held = [within[name]] if name in within else _held(model.model_fields[name].annotation)
         for each in held:
@@ -451,7 +451,7 @@ def core_paths(shape: Shape) -> dict[str, tuple[str, ...]]:
 
 def given_paths(shape: Shape) -> Iterator[tuple[str, ...]]:
     """Paths of the fields that requests of a shape have given."""
-    yield from ((name,) for name, _ in shape[1])
+    yield from ((shape[0].model_fields[name].alias or name,) for name, _ in shape[1])
     for name, inner in present(dict(shape[1])).items():
         yield from ((name, *path) for path in given_paths(inner))
 

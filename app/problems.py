@@ -17,7 +17,7 @@ from starlette.exceptions import HTTPException
 from app.jobs import Busy, CannotRun, Stopped, TooLong
 from app.model import REPLACED, UNION_TAGS, Maybe, RequestModel, pointer, present
 from app.record import root_path
-from app.units import IN_MILLIMETRES, api_params, api_value, from_si, sentence
+from app.units import IN_MILLIMETRES, api_params, api_value, refusal_params, sentence
 from core.codes import REFUSALS, WAS
 from core.errors import CalculationError, ImpossibleMechanism, InvalidInput, NotKnown
 
@@ -399,32 +399,6 @@ async def refused(_: Request, error: Exception) -> Response:
     return problem_of(error).response()
 
 
-COMPARING = frozenset(
-    {
-        "at_most",
-        "below_working",
-        "beyond_support",
-        "clearance_dust",
-        "greater_than",
-        "greater_than_equal",
-        "hole_disagrees",
-        "in_carrier",
-        "larger_than",
-        "less_than",
-        "less_than_equal",
-        "no_cycloid",
-        "no_mesh",
-        "no_sleeve",
-        "other_pitch",
-        "smaller_than",
-        "too_near",
-        "too_thick",
-        "undercut",
-    }
-)
-"""Refusals whose `limit` is a value of the refused field, in its unit."""
-
-
 def refuse_for(body: RequestModel, error: CalculationError) -> NoReturn:
     """Refuse a request by an exception of its calculation, in the names of the request's fields."""
     if isinstance(error, InvalidInput):
@@ -445,8 +419,4 @@ def refuse_for(body: RequestModel, error: CalculationError) -> NoReturn:
 def named(error: InvalidInput, body: RequestModel) -> Problem:
     """Refusal of the core in the names of a request's fields."""
     path = body.path_of(error.parameter)
-    params = api_params(error.params)
-    if error.code in COMPARING:
-        field = next((part for part in reversed(path) if isinstance(part, str)), "")
-        params["limit"] = from_si(field, params["limit"])
-    return refusal(pointer(path), error.code, **params)
+    return refusal(pointer(path), error.code, **refusal_params(error.code, error.params, path))

@@ -185,6 +185,43 @@ def api_params(params: dict[str, Any]) -> dict[str, Any]:
     )
 
 
+COMPARING = frozenset(
+    {
+        "at_most",
+        "below_working",
+        "beyond_support",
+        "clearance_dust",
+        "greater_than",
+        "greater_than_equal",
+        "hole_disagrees",
+        "in_carrier",
+        "larger_than",
+        "less_than",
+        "less_than_equal",
+        "no_cycloid",
+        "no_mesh",
+        "no_sleeve",
+        "other_pitch",
+        "smaller_than",
+        "too_near",
+        "too_thick",
+        "undercut",
+    }
+)
+"""Refusals whose `limit` is a value of the refused field, in its unit."""
+
+
+def refusal_params(
+    code: str, params: dict[str, Any], path: tuple[str | int, ...]
+) -> dict[str, Any]:
+    """Parameters of a core's refusal of the field at a path, as the API names them."""
+    found = api_params(params)
+    if code in COMPARING:
+        field = next((part for part in reversed(path) if isinstance(part, str)), "")
+        found["limit"] = from_si(field, params["limit"])
+    return found
+
+
 IN_MILLIMETRES = {
     "cannot_assemble": "Pins and holes press: pin {pin} and its hole of satellite {satellite} lack "
     "{missing_length_mm:.4g} mm of room; holes of a radius of {needed_length_mm:.6g} mm would do",

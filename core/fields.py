@@ -51,6 +51,7 @@ class Input:
     advanced: bool = False  # True if the form may hide the field
     options: tuple[str, ...] = ()  # names that the form offers
     alias: str = ""  # name in the document, if it is no name in Python
+    pattern: str = ""  # form of a text, which its dataclass checks
     # True if small values other than 0 are refused, as they lose digits.
     or_zero: bool = False
     # True if the document may leave a needed value out, as another one gives it.

@@ -137,11 +137,6 @@ class LoadSharingRequest(CurveFields, SolvedFields, group="positions"):
         return angles
 
     @property
-    def alternating(self) -> bool:
-        """True if both directions of the torque are requested."""
-        return self.design.load.torque_direction == "alternating"
-
-    @property
     def fit(self) -> Fit:
         """Fit of the pins; a misfit that makes forces impossible is refused."""
         return solvable(real=self.results.real, rooms=self.results.rooms)

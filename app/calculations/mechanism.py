@@ -28,11 +28,11 @@ from core.design.contact import Contact
 from core.design.document import mechanism_of
 from core.design.sections import MAX_PAIRS as MAX_PAIRS
 from core.design.sections import MechanismSection
+from core.design.tolerances import class_pattern
 from core.errors import InvalidInput, Notice
 from core.output.mechanism import MAX_SATELLITES as MAX_SATELLITES
 from core.output.mechanism import Mechanism, Members, ratio_from_teeth
 from core.output.room import Rooms
-from core.tolerance.iso286 import CLASSES, GRADES
 
 MAX_DRAWN_PAIRS = 240
 """Largest number of pairs in a figure."""
@@ -259,16 +259,10 @@ class PairOut(ResponseModel):
 Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
 
 
-def class_pattern(of_pins: bool) -> str:
-    """Pattern of the ISO 286 classes of pins, or of holes."""
-    letters = "|".join(each for each in CLASSES if each.islower() == of_pins)
-    return f"({letters})({'|'.join(map(str, GRADES))})"
-
-
 USUAL_FITS = ["H7/g6", "H7/h6", "H7/f7", "H8/h7", "H8/f7", "H8/f8", "H9/f9"]
 """Fits that the form offers."""
 
-FIT = f"^{class_pattern(False)}/{class_pattern(True)}$"
+FIT = f"^{class_pattern(of_pins=False)}/{class_pattern(of_pins=True)}$"
 
 
 class PinContactFields(ContactFields, of=Contact, group="contact"):

@@ -77,6 +77,11 @@ class SolvedFields(DocumentFields):
         return TIMES_AS_LONG if gives else 1
 
     @property
+    def alternating(self) -> bool:
+        """True if both directions of the torque are solved."""
+        return bool(self.design.load.torque_direction == "alternating")
+
+    @property
     def torque(self) -> float:
         """Torque on the pins with the sign of its direction, N*m."""
         reverse = self.design.load.torque_direction == "reverse"

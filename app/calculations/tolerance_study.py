@@ -5,10 +5,10 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property, partial
-from typing import Annotated, Any, ClassVar, Literal, Self
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
-from pydantic import Field, PrivateAttr, model_validator
+from pydantic import Field, PrivateAttr
 
 from app.calculations.document import FORCES, LOADED, TOUCHING, Needs
 from app.calculations.members_answer import factor_at_output
@@ -20,12 +20,7 @@ from app.calculations.solved_design import (
 )
 from app.calculations.tolerance_answer import ToleranceStudyResponse
 from app.calculations.tolerance_figure import tolerance_figure
-from app.calculations.tolerances import (
-    OF_THE_RING,
-    HoleDiameterFields,
-    PinDiameterFields,
-    TolerancesFields,
-)
+from app.calculations.tolerances import TolerancesFields, as_given
 from app.cluster import Lost, on_cluster
 from app.model import (
     Maybe,
@@ -42,7 +37,6 @@ from app.model import (
     warning,
 )
 from app.problems import refusal, unavailable
-from app.rules import Rule, field_error
 from app.settings import Settings, current
 from app.sources import ISO_286, JANSEN_1999, YANCHEVSKIY_2021
 from app.theme import Figure, Theme
@@ -64,6 +58,7 @@ from core.tolerance.study import (
     ToleranceStudy,
     tolerance_study,
 )
+from core.tolerance.tolerances import Tolerances
 
 Name = Literal[
     "peak_force_N",
@@ -98,8 +93,13 @@ FEWEST = 20
 
 MAX_SAMPLES = 1_000_000
 
-DIAMETERS = ("pin_diameter", "hole_diameter")
-"""Tolerances that a fit states."""
+OF_THE_RING = (
+    "ring_pin_position_mm",
+    "ring_pin_diameter",
+    "equidistant_mm",
+    "modification_pin_circle_mm",
+)
+"""Tolerances of ring pins and of the cycloid discs on them."""
 
 USUAL_SAMPLES = 4096
 USUAL_RANKED_SAMPLES = 1024
@@ -135,9 +135,6 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
 
     NEEDS: ClassVar[Needs] = (*LOADED, *TOUCHING, "tolerances")
     USES: ClassVar[frozenset[str]] = FORCES - {"deviations"} | {"tolerances"}
-    BETWEEN: ClassVar[tuple[Rule, ...]] = tuple(
-        Rule(f"tolerances/{name}", "only_one", "contact/fit") for name in DIAMETERS
-    )
 
     lost_motion_torque_share: float = lost_motion_torque_share()
     samples: Maybe[Whole] = quantity("Samples", "n", step=100, ge=1, le=MAX_SAMPLES)
@@ -175,36 +172,10 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
         " 2·G + 2 times as many additional pieces.",
     )
 
-    @model_validator(mode="after")
-    def _one_way(self) -> Self:
-        if self.known_load.torque_direction == "alternating":
-            ways = "'driving' or 'reverse'"
-            raise field_error("load/torque_direction", "literal_error", expected=ways)
-        return self
-
-    @property
-    def stated(self) -> TolerancesFields:
-        """Tolerances as they are given."""
-        stated: TolerancesFields = self.given["tolerances"]
-        return stated
-
     @cached_property
-    def spread(self) -> TolerancesFields:
+    def spread(self) -> Tolerances:
         """Tolerances with guide values of processes; a fit gives the classes of both diameters."""
-        classes = self._classes_of_fit
-        return self.stated.filled(without=classes).model_copy(update=classes)
-
-    @property
-    def _classes_of_fit(self) -> Values:
-        """Diameters that a fit states."""
-        fit = self.design.contact.iso_fit
-        if not fit:
-            return {}
-        hole, pin = fit.split("/")
-        return {
-            "hole_diameter": HoleDiameterFields.model_validate({"class": hole}),
-            "pin_diameter": PinDiameterFields.model_validate({"class": pin}),
-        }
+        return self.design.tolerances.filled(self.design.contact.iso_fit).of_parts(self.diameters)
 
     @cached_property
     def results(self) -> Results:
@@ -218,7 +189,7 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
     def refuse_of_no_ring(self) -> None:
         """Refuse tolerances, limits and quantities of the ring if both meshes are not in series."""
         of_ring = (
-            *(f"tolerances/{name}" for name in OF_THE_RING if name in self.stated.given),
+            *(f"tolerances/{name}" for name in OF_THE_RING if self.says(f"tolerances/{name}")),
             *(f"limits/{name}" for name in OF_RING_PINS if name in self.limits.given),
             *(f"quantities/{n}" for n, name in enumerate(self.quantities) if name in OF_RING_PINS),
         )
@@ -271,13 +242,14 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
         """Number of solved positions of a pair for each sample, or their equivalent in time."""
         each = self._solves(self.names)
         if "contributions" in self.include:
-            each += (2 * len(self.spread.spreads()) + 2) * self._solves(self.names[:1])
+            each += (2 * len(self.spread.sources) + 2) * self._solves(self.names[:1])
         floats = self.in_series and self.design.support.loose > 0
         return each * (FLOATS_AS_LONG if floats else self.times_as_long)
 
     def _solves(self, names: list[str]) -> float:
         fit = self.design.ring_pins if self.in_series else 0
-        return self._times(names) * self.positions + fit
+        ways = 2 if self.alternating else 1
+        return ways * self._times(names) * self.positions + fit
 
     @property
     def positions(self) -> int:
@@ -311,10 +283,11 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
     def study(self, report: Report) -> Study:
         """Study in SI units, which reports progress; on the operator's cluster if there is one."""
         given: Values = {
-            "tolerances": self.spread.tolerances(self.diameters),
+            "tolerances": self.spread,
             "asked": Evaluation(
                 quantities=tuple(map(core_name, self.names)),
                 output_torque=self.torque,
+                alternating=self.alternating,
                 positions=self.positions,
                 lost_motion_share=self.lost_motion_torque_share,
             ),
@@ -357,7 +330,7 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
         """Number of pieces that are calculated."""
         if "contributions" not in self.include:
             return self.drawn
-        return self.drawn * (2 * len(self.spread.spreads()) + 3)
+        return self.drawn * (2 * len(self.spread.sources) + 3)
 
     def solve(self, report: Report = untold) -> tuple[Values, Accuracy]:
         """Requested values with their accuracy; progress is reported from 0 to 1."""
@@ -397,14 +370,13 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
     @property
     def guided(self) -> Values:
         """Values that processes fill in, by names of tolerances."""
-        said, guides = self._classes_of_fit, self.stated.guides
-        return {name: each for name, each in guides.items() if name not in said}
+        guides = self.design.tolerances.guides(self.design.contact.iso_fit)
+        return dict(map(as_given, guides, guides.values()))
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Assumed values, with those that processes fill in."""
         yield from super().assumed()
-        for name, value in self.guided.items():
-            yield ("tolerances", name), value
+        yield from ((("tolerances", name), value) for name, value in self.guided.items())
 
     def notices(self) -> tuple[Notice, ...]:
         """Notices, also that tolerances are guide values."""
@@ -413,13 +385,13 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
 
     def _process(self) -> Values:
         """Processes of the parts and the values taken from them, if stated."""
-        made = self.stated.processes
+        made = self.design.tolerances.processes
         known = [made[part] for part in ("hole", "pin") if part in made]
         if not known:
             return {}
         first, last = known[0], known[-1]
         other = {"pin_code": last.code, "pin_source": last.source} if last != first else {}
-        more = self.spread.tolerances(self.diameters).mean_clearance
+        more = self.spread.mean_clearance
         said = {
             "code": first.code,
             "source": first.source,

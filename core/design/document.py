@@ -26,6 +26,7 @@ from core.design.sections import (
     Shaft,
     Temperatures,
 )
+from core.design.tolerances import ToleranceSection
 from core.errors import InvalidInput, NotKnown, derived, if_known, is_known, required
 from core.hertz import SLIDING as KNOWN_SLIDING
 from core.hertz import Body, ElasticMaterial, Plastic, Spread
@@ -131,6 +132,7 @@ class Design:
     crankshaft: Shaft = not_given("crankshaft")  # places of satellites and bearings
     satellite_body: SatelliteBody = not_given("satellite_body")
     temperatures: Temperatures = not_given("temperatures")
+    tolerances: ToleranceSection = not_given("tolerances")  # of pieces, for studies
     requirements: Requirements = Requirements()
 
     def __post_init__(self) -> None:

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -108,6 +108,9 @@ class SeriesStudy(Study):
         """Crank angles at which pieces are solved, rad."""
         return crank_places(lobes=self.ring_pins - 1, count=count)
 
+    TURN: ClassVar[Any] = SeriesTurn
+    """Both meshes of one piece over the turns of a period."""
+
     rigid = False
     """False, as the quicker loop for rigid discs has no ring."""
 
@@ -137,11 +140,6 @@ class SeriesStudy(Study):
             replace(ring, disc=disc, deviations=of_ring),
             replace(self.real.output, deviations=own),
         )
-
-    def turn_of(self, pieces: Drawn, index: int) -> SeriesTurn:
-        """One piece under the torque over the turns of a period."""
-        piece = self.piece(pieces, index)
-        return SeriesTurn(piece, self.asked.output_torque, self.asked.lost_motion_share)
 
     def square_pressure(self, name: str) -> float:
         """Square of a pressure over the value that the engine has for it."""

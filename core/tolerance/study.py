@@ -5,7 +5,8 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from functools import reduce
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -58,6 +59,13 @@ class Evaluation:
     output_torque: float  # T on the output link, N*m, not 0; negative in reverse
     positions: int = 60  # number of positions of a piece
     lost_motion_share: float = 0.03  # share of the torque at which lost motion is measured
+    alternating: bool = False  # true if the worse of both directions of the torque counts
+
+    @property
+    def ways(self) -> "tuple[Evaluation, ...]":
+        """Evaluation in each direction of the torque."""
+        one = replace(self, alternating=False)
+        return (one, replace(one, output_torque=-self.output_torque))[: 1 + self.alternating]
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,6 +124,13 @@ class Pieces(NamedTuple):
     ring_max_pressure: FloatArray  # largest force over reduced radius of a ring pin, N/m
 
 
+def _worse(one: Pieces, other: Pieces) -> Pieces:
+    """Worse quantities of pieces that are loaded in both directions."""
+    largest = Pieces(*map(np.maximum, one, other))
+    least = np.minimum(one.stiffness_min, other.stiffness_min)
+    return largest._replace(fits=one.fits, stiffness_min=least)
+
+
 NOTHING = (math.nan,) * (len(Pieces._fields) - 1)
 """Quantities of a piece that cannot work."""
 
@@ -140,6 +155,9 @@ class Study:
     progress: Callable[[int], None] = _untold
     threads: int = 0  # number of threads; 0 for one to a processor
     mapped: Mapped | None = None  # calculates blocks in place of threads, e.g. in processes
+
+    TURN: ClassVar[Any] = Turn
+    """Turn of one piece."""
 
     def pieces(self, *, tolerances: Tolerances | None = None, other: Sequence[str] = ()) -> Drawn:
         """Drawn pieces; ``other`` names sources that are taken from the second sample."""
@@ -218,6 +236,11 @@ class Study:
         """Quantities of pieces whose deviations are drawn here."""
         with np.errstate(invalid="ignore", divide="ignore"):  # pieces may have no size
             drives = self.drives(pieces)
+        ways = (replace(self, asked=each) for each in self.asked.ways)
+        return reduce(_worse, (each.in_one_way(drives) for each in ways))
+
+    def in_one_way(self, drives: model.Pieces) -> Pieces:
+        """Quantities of drives in one direction of the torque."""
         return self._rigid(drives) if self.rigid else self._solved(drives)
 
     def drives(self, pieces: Drawn) -> model.Pieces:
@@ -318,15 +341,15 @@ class Study:
 
     def refuse(self, pieces: Drawn) -> None:
         """Raise ImpossibleMechanism if the first piece cannot work."""
-        asked = self.asked
-        turn = self.turn_of(pieces, 0)
-        for kind in (turn.force, LOST):
-            turn.values(kind, self.places(asked.positions))
+        for turn in self.turns_of(pieces, 0):
+            for kind in (turn.force, LOST):
+                turn.values(kind, self.places(self.asked.positions))
 
-    def turn_of(self, pieces: Drawn, index: int) -> Turn:
-        """One piece under the torque over the turn."""
-        piece = self.piece(pieces, index)
-        return Turn(piece, self.asked.output_torque, self.asked.lost_motion_share)
+    def turns_of(self, pieces: Drawn, index: int) -> list[Any]:
+        """One piece over the turn, under the torque in each direction."""
+        piece, asked = self.piece(pieces, index), self.asked
+        share = asked.lost_motion_share
+        return [self.TURN(piece, each.output_torque, share) for each in asked.ways]
 
     def square_pressure(self, name: str) -> float:
         """Square of a pressure over the value that the engine has for it."""
@@ -399,9 +422,11 @@ def _missed_peak(study: Study, pieces: Drawn, values: FloatArray) -> float:
     order = order[: min(WORST, math.ceil(len(peaks) / 10))]
     missed = []
     for i in order:
-        turn = study.turn_of(pieces, int(i))
-        grid = turn.values(turn.force, study.places(study.asked.positions))
-        found = summits(grid=grid, narrow=turn.narrow(turn.force), most=3)
-        highest = max(summit.height for summit in found)
-        missed.append(max(0.0, 1 - float(grid.heights.max()) / highest))
+        seen = highest = 0.0
+        for turn in study.turns_of(pieces, int(i)):
+            grid = turn.values(turn.force, study.places(study.asked.positions))
+            found = summits(grid=grid, narrow=turn.narrow(turn.force), most=3)
+            seen = max(seen, float(grid.heights.max()))
+            highest = max(highest, *(summit.height for summit in found))
+        missed.append(max(0.0, 1 - seen / highest))
     return float(np.mean(missed)) if missed else 0.0

@@ -270,10 +270,19 @@ async def test_satellites_that_give_do_so_in_the_study_too(api, giving):
     assert ratio > 1.05 if shared else ratio < 0.95
 
 
-async def test_a_torque_that_alternates_is_refused_by_name(api):
-    load = CHECKED["load"] | {"torque_direction": "alternating"}
-    problem = (await api.post(PATH, json=changed(load=load))).json()
-    assert [each["pointer"] for each in problem["errors"]] == ["/load/torque_direction"]
+async def test_a_torque_that_alternates_has_the_worse_of_both_directions(api):
+    names = ["peak_force_N", "stiffness_min_Nm_per_arcmin"]
+    found = {}
+    for way in ("driving", "reverse", "alternating"):
+        load = CHECKED["load"] | {"torque_direction": way}
+        found[way] = (await answered(api, changed(load=load, quantities=names)))["quantities"]
+    force, stiffness = (
+        {way: each[name]["nominal"] for way, each in found.items()} for name in names
+    )
+    assert force["alternating"] == max(force["driving"], force["reverse"])
+    assert stiffness["alternating"] == min(stiffness["driving"], stiffness["reverse"])
+    mean = {way: each["peak_force_N"]["mean"] for way, each in found.items()}
+    assert mean["alternating"] > max(mean["driving"], mean["reverse"])
 
 
 async def test_the_stated_error_is_that_of_sample_and_grid(api):

@@ -11,6 +11,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from core.design.tolerances import HoleDiameter, ToleranceSection
 from core.errors import InvalidInput
 from core.hertz import ElasticMaterial
 from core.output.elasticity import ConformalLaw, ContactLaw, HertzLaw, LinearLaw, PowerLaw
@@ -250,6 +251,32 @@ def test_pieces_that_do_not_fit_are_counted_and_left_out() -> None:
     states = [study.piece(pieces, i).rooms.room.state for i in range(40)]
     assert [state == "fits" for state in states] == found.fits.tolist()
     assert [state == "binds_in_turning" for state in states] == found.binds.tolist()
+
+
+@pytest.mark.parametrize("rigid", [True, False])
+def test_a_torque_that_alternates_has_the_worse_of_each_piece(
+    rigid: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Study, "rigid", rigid)
+    study = Study(design(), LOOSE, ASKED, samples=20)
+    quantities = ("peak_force", "transmission_error", "stiffness_min")
+    asked = replace(study.asked, quantities=quantities, alternating=True)
+    ways = [replace(study, asked=each) for each in (asked, *asked.ways)]
+    both, driving, reverse = (each.values(each.pieces())[0] for each in ways)
+    assert (both[:, :2] == np.maximum(driving, reverse)[:, :2]).all()
+    assert (both[:, 2] == np.minimum(driving, reverse)[:, 2]).all()
+    assert (driving[:, 0] != reverse[:, 0]).any()
+
+
+def test_processes_and_fits_fill_what_is_not_given() -> None:
+    given = ToleranceSection(process="precise", hole_position=1e-5)
+    assert given.guides().keys() == {"pin_position", "pin_diameter", "hole_diameter"}
+    found = given.filled("H7/f7").of_parts({"pin": 0.012, "hole": 0.0145})
+    assert (found.pin_position, found.hole_position) == (3e-5, 1e-5)
+    pin = class_limits(size=0.012, tolerance_class="f7")
+    assert found.pin_radius == Spread(pin.lower / 2, pin.upper / 2)
+    with pytest.raises(InvalidInput, match="hole_diameter"):
+        replace(given, hole_diameter=HoleDiameter(tolerance_class="H8")).filled("H7/f7")
 
 
 def test_a_part_of_the_pieces_is_made_alone() -> None:
