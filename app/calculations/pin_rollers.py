@@ -11,10 +11,11 @@ class RollersFields(NamedBearingFields, of=Rollers, group="rollers"):
     """Rolling bearings on the pins, whose outer rings roll in the holes."""
 
     def said(self, named: NamedBearing, quantity: str) -> Any:
-        """Kind of bearing by its rolling elements."""
+        """Value of the table; a drawn cup, which a housing has to hold, has no outer diameter."""
         if quantity == "kind":
-            return "ball" if named.kind == "ball" else "cylindrical"
-        return super().said(named, quantity)
+            return named.elements
+        held = quantity == "outer_diameter" and named.series == "HK"
+        return None if held else super().said(named, quantity)
 
     @property
     def surface(self) -> dict[str, Any]:

@@ -113,6 +113,16 @@ async def test_a_name_says_what_is_not_typed(api):
     assert "/rollers/dynamic_rating_N" not in {each["pointer"] for each in answer["assumed"]}
 
 
+async def test_needles_roll_on_pins_if_they_have_an_outer_ring(api):
+    body = having(SMALL, rollers=None, contact={"pin_radius_mm": 11})
+    body["rollers"] = {"name": "NA4900"}
+    answer = await answered(api, body | {"include": ["rollers"]})
+    told = {each["pointer"]: each["value"] for each in answer["assumed"]}
+    assert (told["/rollers/kind"], told["/rollers/outer_diameter_mm"]) == ("needle", 22)
+    body["rollers"]["name"] = "HK1010"
+    assert await refused(api, body) == ("/rollers/ratings", "drawn_cup")
+
+
 async def test_bearings_of_satellites_and_shaft_have_names_too(api):
     body = SMALL | {
         "gear": {"radial_force_ratio": 0.3},
