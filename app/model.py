@@ -3,10 +3,12 @@
 import math
 import re
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property, lru_cache
+from functools import cache, cached_property, lru_cache, reduce
 from itertools import chain
+from operator import or_
+from types import NoneType
 from typing import (
     Annotated,
     Any,
@@ -54,10 +56,11 @@ from app.units import (
     shown_unit,
     to_si_converter,
 )
+from core.arrays import FloatArray
 from core.codes import WARNINGS, WAS
 from core.errors import METHODS, Accuracy, Notice, NotKnown
 from core.fields import LARGEST as LARGEST
-from core.fields import SMALLEST
+from core.fields import SMALLEST, quantities_of
 from core.hertz import Spread
 
 Size = Annotated[float, Field(ge=SMALLEST, le=LARGEST)]
@@ -472,13 +475,36 @@ def present(values: Mapping[str, Any]) -> Values:
     return {name: value for name, value in values.items() if value is not None}
 
 
+OPTIONAL: Any = Maybe
+LIST: Any = list
+"""Generic types of annotations that are made at import."""
+
+
 class ResponseModel(BaseModel):
-    """Description of an answer, whose values are read from a core result by names without units."""
+    """Description of an answer, whose values are read from a core result by names without units.
+
+    A subclass names its dataclass of core as `of`. It has the quantities of that (`core.fields`)
+    but those in `without`, or of those alone in `only`, and adds what core does not know. An
+    annotation of a quantity changes its type, a value what it says.
+    """
 
     model_config = ConfigDict(json_schema_extra=_complete_schema, allow_inf_nan=False)
 
     BESIDE: ClassVar[tuple[str, ...]] = ()
     """Fields that are not attributes of the result: given beside it, or absent."""
+
+    def __init_subclass__(
+        cls,
+        *,
+        of: Any = None,
+        only: Collection[str] = (),
+        without: Collection[str] = (),
+        **config: Any,
+    ) -> None:
+        if of is not None:
+            ANSWERS.setdefault(of, cls)
+            _give_quantities(cls, of, only, without)
+        super().__init_subclass__(**config)
 
     @classmethod
     def __pydantic_init_subclass__(cls, **_: Any) -> None:
@@ -512,6 +538,46 @@ class ResponseModel(BaseModel):
         if plan.states_accuracy:
             values["accuracy"] = accuracy_values(result.accuracy, run_time_us or 0.0)
         return values
+
+
+ANSWERS: dict[Any, type[ResponseModel]] = {}
+"""Model of the answer, or the first one, by dataclass of core."""
+
+
+def _give_quantities(cls: Any, kind: Any, only: Collection[str], without: Collection[str]) -> None:
+    """Give a model the quantities of a dataclass that it does not inherit."""
+    made: dict[str, Any] = {}
+    last: dict[str, Any] = {}
+    for core, about, hint, meaning in quantities_of(kind):
+        name = f"{core}_{about.unit}".removesuffix("_")
+        if name in cls.model_fields or core in without or (only and core not in only):
+            continue
+        if hint is Accuracy:
+            last[name] = AccuracyOut
+        elif name == "notices":
+            last["warnings"] = OPTIONAL[list[WarningOut]]
+        else:
+            made[name] = _in_json(hint, about.depth)
+            if about.optional:
+                made[name] = OPTIONAL[made[name]]
+            if meaning and name not in vars(cls):
+                shown = {"symbol": about.symbol, "equation": about.equation}
+                setattr(cls, name, result(meaning, **shown))
+    cls.__annotations__ = made | cls.__annotations__ | last
+
+
+def _in_json(hint: Any, depth: int) -> Any:
+    """Type in answers of a type of core; arrays have `depth` axes."""
+    inner = get_args(hint)
+    if NoneType in inner:
+        return OPTIONAL[
+            _in_json(reduce(or_, (each for each in inner if each is not NoneType)), depth)
+        ]
+    if hint == FloatArray:
+        return LIST[_in_json(FloatArray, depth - 1)] if depth else float
+    if get_origin(hint) is list or inner[1:] == (...,):
+        return LIST[_in_json(inner[0], depth)]
+    return float if hint is Any else ANSWERS.get(hint, hint)
 
 
 def _leave_to_checks(values: Values, checks: list[Values]) -> None:

@@ -10,6 +10,7 @@ from typing import Literal
 
 from core.arrays import Number, check_not_negative, check_positive, larger, smaller, where
 from core.errors import InvalidInput, Notice
+from core.fields import answer
 
 Surface = Literal["ground", "machined", "hot_rolled", "forged"]
 Edition = Literal["shigley_9", "shigley_11"]
@@ -66,10 +67,14 @@ def beyond_range(*, code: str, value: float, ends: tuple[float, float]) -> tuple
 class EnduranceFactors:
     """Factors between the endurance limit of a part and that of a polished specimen."""
 
-    surface: Number  # ka, <= 1
-    size: Number  # kb, <= 1
-    reliability: Number  # ke, <= 1
-    notch: Number  # fatigue notch factor Kf, >= 1, by which the limit is divided
+    surface: Number = answer("", "k_a")
+    """Factor of the surface."""
+    size: Number = answer("", "k_b")
+    """Factor of the size."""
+    reliability: Number = answer("", "k_e")
+    """Factor of the reliability."""
+    notch: Number = answer("", "K_f")
+    """Fatigue notch factor."""
 
     @property
     def product(self) -> Number:
@@ -318,15 +323,25 @@ class FatigueStrength:
 class CycleFatigue:
     """Fatigue of a part under one stress cycle."""
 
-    max_stress: float  # Pa
-    min_stress: float  # Pa
-    amplitude: float  # Pa
-    mean: float  # Pa
-    endurance_limit: float  # Se, Pa
-    finite_strength: float | None  # strength for the required cycles, Pa, where `short`
-    factors: EnduranceFactors | None  # factors of the endurance limit
-    safety_factor: float  # by the criterion: all stresses may grow by this factor
-    cycles: float | None  # cycles to failure; None if unlimited
+    max_stress: float = answer("MPa", "σ_max")
+    """Largest stress."""
+    min_stress: float = answer("MPa", "σ_min")
+    """Least stress."""
+    amplitude: float = answer("MPa", "σ_a")
+    """Amplitude of the cycle."""
+    mean: float = answer("MPa", "σ_m")
+    """Mean of the cycle."""
+    endurance_limit: float = answer("MPa", "S_e")
+    """Endurance limit of the part."""
+    finite_strength: float | None = answer("MPa", "S_f")
+    """Strength for the cycles of the required life, if these are fewer than a million; it replaces
+    the endurance limit in the safety factor."""
+    factors: EnduranceFactors | None = answer()
+    """Factors of the endurance limit; absent if the limit is given."""
+    safety_factor: float = answer("", "n")
+    """Safety factor by the criterion: factor by which all stresses may grow."""
+    cycles: float | None = answer("", "N")
+    """Number of cycles to failure; absent below the endurance limit."""
     notices: tuple[Notice, ...] = ()  # formulas used outside their ranges
     short: bool = False  # True if the required cycles are so few that the strength is above Se
 

@@ -1,5 +1,6 @@
-"""Fields of the design document: an input says at its dataclass what a form, a description of the
-API and a reader of core have to know of it. The text below a field is its help.
+"""Fields of the design document and of answers: an input, or a quantity of a result, says at its
+dataclass what a form, a description of the API and a reader of core have to know of it. The text
+below a field is its help, or the meaning of the quantity.
 
 Values are SI in core. Title, limits and step are those of the document as users write it, in the
 unit that ends the name there: `pin_radius` with the unit ``mm`` is ``pin_radius_mm``.
@@ -7,12 +8,13 @@ unit that ends the name there: `pin_radius` with the unit ``mm`` is ``pin_radius
 
 import ast
 import inspect
+import re
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import MISSING, dataclass, field
 from functools import cache, partial
 from itertools import pairwise
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, TypeVar, get_type_hints
 
 SMALLEST = 1e-12
 LARGEST = 1e12
@@ -86,11 +88,77 @@ optional_size = partial(size, default=None)
 """Positive quantity that may be absent."""
 
 
+class Output(NamedTuple):
+    """Unit, symbol and source of a quantity of a result, as answers have it."""
+
+    unit: str  # end of the name in answers, a key of `app.units.UNITS`
+    symbol: str  # symbol in the nomenclature
+    equation: str  # source with the number of the equation, or the formula
+    depth: int  # number of axes of an array
+    optional: bool  # True for a property that raises `NotKnown` without its data
+
+
+def answer(
+    unit: str = "",
+    symbol: str = "",
+    equation: str = "",
+    *,
+    depth: int = 1,
+    default: Any = MISSING,
+) -> Any:
+    """Field of a result that answers have."""
+    return field(default=default, metadata={"output": Output(unit, symbol, equation, depth, False)})
+
+
+Method = TypeVar("Method", bound=Callable[[Any], Any])
+
+
+def answered(
+    unit: str = "",
+    symbol: str = "",
+    equation: str = "",
+    *,
+    depth: int = 1,
+    optional: bool = False,
+) -> Callable[[Method], Method]:
+    """Decorator of the method of a property that answers have."""
+
+    def marked(method: Method) -> Method:
+        vars(method)["output"] = Output(unit, symbol, equation, depth, optional)
+        return method
+
+    return marked
+
+
+class Quantity(NamedTuple):
+    """Quantity of a result with its words."""
+
+    name: str  # name in core
+    output: Output
+    hint: Any  # type of its values
+    meaning: str  # text below the field, or that of the property; empty for none
+
+
+def quantities_of(kind: Any) -> Iterator[Quantity]:
+    """Quantities of a result that answers have: fields first, then properties."""
+    hints, helps = get_type_hints(kind), help_of(kind)
+    for name, each in getattr(kind, "__dataclass_fields__", {}).items():
+        if output := each.metadata.get("output"):
+            yield Quantity(name, output, hints[name], helps.get(name, ""))
+    for owner in reversed(kind.__mro__):
+        for name, each in vars(owner).items():
+            method = getattr(each, "fget", None) or getattr(each, "calculate", None)
+            if output := getattr(method, "output", None):
+                meaning = " ".join((method.__doc__ or "").split())
+                yield Quantity(name, output, get_type_hints(method)["return"], meaning)
+
+
 def help_of(kind: type) -> dict[str, str]:
     """Texts below the fields of a dataclass and of those that it extends, in one line each."""
     own: dict[str, str] = {}
-    for each in reversed(kind.__mro__[:-1]):
-        own |= _texts(each.__module__).get(each.__name__, {})
+    for each in reversed(kind.__mro__):
+        if each.__module__ != "builtins":
+            own |= _texts(each.__module__).get(each.__name__, {})
     return own
 
 
@@ -98,11 +166,12 @@ def help_of(kind: type) -> dict[str, str]:
 def _texts(module: str) -> dict[str, dict[str, str]]:
     """Texts below the fields of the classes of a module, by class and field."""
     found: dict[str, dict[str, str]] = {}
-    for node in ast.parse(inspect.getsource(sys.modules[module])).body:
-        if isinstance(node, ast.ClassDef):
-            own = found.setdefault(node.name, {})
-            for each in pairwise(node.body):
-                match each:
-                    case ast.AnnAssign(target=ast.Name(name)), ast.Expr(ast.Constant(str(text))):
-                        own[name] = " ".join(text.split())
+    source = inspect.getsource(sys.modules[module])
+    for block in re.findall(r"^class .*?(?=^[^\s)]|\Z)", source, re.MULTILINE | re.DOTALL):
+        (node,) = ast.parse(block).body
+        own = found.setdefault(node.name, {})
+        for each in pairwise(node.body):
+            match each:
+                case ast.AnnAssign(target=ast.Name(name)), ast.Expr(ast.Constant(str(text))):
+                    own[name] = " ".join(text.split())
     return found

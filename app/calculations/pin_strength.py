@@ -17,15 +17,12 @@ from app.calculations.document import (
     StrengthFields,
     forces_used,
 )
-from app.calculations.fatigue import FactorsOut
 from app.model import (
-    AccuracyOut,
     Calculation,
     DocumentResponse,
     Maybe,
     ResponseModel,
     Values,
-    WarningOut,
     result,
     timed,
 )
@@ -38,7 +35,10 @@ from core.design.document import changed
 from core.design.results import Results
 from core.errors import if_known
 from core.output.pin_beam import Support
-from core.output.pin_strength import PinStrength
+from core.output.pin_bolt import Grip
+from core.output.pin_fatigue import PinFatigue
+from core.output.pin_strength import MomentLocus, PinDeflection, PinStrength
+from core.output.tied_pin import TieRingLoad
 from core.worked.pins import strength_steps
 from core.worked.step import Step
 
@@ -101,141 +101,36 @@ class PinStrengthRequest(StrengthFields):
             yield SupportBoundOut.values(*found, support=support, **self.left_out)
 
 
-class PinFatigueOut(ResponseModel):
+class PinFatigueOut(ResponseModel, of=PinFatigue):
     """Worst stress cycle of a pin. Direction and stresses are accurate to 1e-4, as the safety is
     nearly constant around them.
     """
 
-    direction_deg: Maybe[float] = result(
-        "Direction of the worst point of the section, measured from the tangential direction "
-        "towards growing pressure angles; absent if the pin rotates.",
-        symbol="χ",
-    )
-    position_mm: float = result("Distance of the section from the carrier's face.", symbol="x")
-    max_stress_MPa: float = result("Largest stress at the worst point.", symbol="σ_max")
-    min_stress_MPa: float = result("Least stress at the worst point.", symbol="σ_min")
-    amplitude_MPa: float = result("Amplitude of the cycle.", symbol="σ_a")
-    mean_MPa: float = result("Mean of the cycle.", symbol="σ_m")
-    endurance_limit_MPa: float = result("Endurance limit of the pin.", symbol="S_e")
-    finite_strength_MPa: Maybe[float] = result(
-        "Strength for the cycles of the required life, if these are fewer than a million; it "
-        "replaces the endurance limit in the safety factor.",
-        symbol="S_f",
-    )
-    factors: Maybe[FactorsOut] = None
-    safety_factor: float = result(
-        "Safety factor by the criterion: factor by which all stresses may grow.", symbol="n"
-    )
-    cycles: Maybe[float] = result(
-        "Number of cycles to failure, one cycle per turn of the crank relative to the pins; "
-        "absent below the endurance limit.",
-        symbol="N",
-    )
-    life_h: Maybe[float] = result(
-        "Time to failure by that number of cycles; absent below the endurance limit or without "
-        "a speed."
-    )
 
-
-class PinDeflectionOut(ResponseModel):
+class PinDeflectionOut(ResponseModel, of=PinDeflection):
     """Largest deflection and slope in the middle of satellites."""
 
-    satellite: int = result("Number of the satellite with the largest deflection, from 1.")
-    deflection_mm: float = result(
-        "Largest deflection in the middle of a satellite over the turn.", symbol="w"
-    )
-    slope_satellite: int = result("Number of the satellite with the largest slope, from 1.")
-    slope_mrad: float = result(
-        "Largest rotation of the section in the middle of a satellite. For one satellite "
-        "between two supports, its error is that of the deflection over the distance to the "
-        "nearer support.",
-        symbol="θ",
-    )
 
-
-class TieRingOut(ResponseModel):
+class TieRingOut(ResponseModel, of=TieRingLoad):
     """Largest loads and movements of a tie ring over the turn; the strength of the joint is not
     judged.
     """
 
-    peak_force_N: float = result("Largest force of the tie ring on a pin.", symbol="X")
-    peak_end_moment_Nm: float = result(
-        "Largest moment of the tie ring on the end of a pin; 0 if the joint is pinned.",
-        symbol="M_L",
-    )
-    shift_mm: float = result("Largest displacement of the tie ring in its plane.", symbol="U")
-    turn_mrad: float = result(
-        "Largest rotation of the tie ring relative to the carrier.", symbol="ω"
-    )
 
-
-class BoltOut(ResponseModel):
+class BoltOut(ResponseModel, of=Grip):
     """Bolt through a spacer under the largest loads of the root, as the spacer carries them."""
 
-    holds: bool = result(
-        "True if the preload holds the spacer, which then bends as the pin; otherwise the bolt "
-        "alone is the pin."
-    )
-    moment_Nm: float = result("Largest bending moment of the spacer.", symbol="M")
-    shear_force_N: float = result("Largest shear force of the spacer.", symbol="V")
-    opening_moment_Nm: Maybe[float] = result(
-        "Moment at which the joint opens under the least preload; absent without a preload."
-    )
-    slip_force_N: Maybe[float] = result(
-        "Force at which the spacer slips under the least preload; absent without a preload."
-    )
-    bending_amplitude_MPa: float = result(
-        "Bending stress of the bolt while the spacer holds; the thread is not judged."
-    )
-    alone_stress_MPa: float = result(
-        "Bending stress of the bolt if it carries the largest moment alone."
-    )
 
-
-class MomentLocusOut(ResponseModel):
+class MomentLocusOut(ResponseModel, of=MomentLocus):
     """Bending moment of a section of the worst pin over one turn of the crank relative to the pins:
     the section of the worst stress cycle, or of the largest moment without fatigue data.
     """
 
-    position_mm: float = result("Distance of the section from the carrier's face.", symbol="x")
-    crank_angle_deg: list[float] = result(
-        "Crank angles of the locus, over one turn of the crank relative to the pins.", symbol="φ"
-    )
-    tangential_Nm: list[float] = result("Bending moment of the tangential forces.")
-    radial_Nm: list[float] = result("Bending moment of the radial forces.")
-    stress_MPa: list[float] = result("Bending stress in the worst direction.", symbol="σ")
 
-
-class PinStrengthOut(ResponseModel):
+class PinStrengthOut(ResponseModel, of=PinStrength):
     """Bending, shear, static safety, fatigue and deflection of the pins in their supports."""
 
-    peak_force_N: float = result("Largest contact force over the turn.", symbol="F_max")
-    peak_moment_Nm: float = result("Largest bending moment of any section.", symbol="M")
-    peak_moment_position_mm: float = result(
-        "Distance of the section with the largest bending moment from the carrier's face.",
-        symbol="x",
-    )
-    peak_bending_stress_MPa: float = result(
-        "Largest bending stress, M/W; 32·M/(π·d³) for a solid pin.", symbol="σ_b"
-    )
-    peak_shear_force_N: float = result("Largest shear force of any section.", symbol="V")
-    peak_shear_stress_MPa: float = result(
-        "Largest shear stress, 4/3·V/A for a solid pin.", symbol="τ"
-    )
-    peak_equivalent_stress_MPa: float = result(
-        "Largest equivalent stress (Mises) of any section.", symbol="σ_v"
-    )
-    static_safety_factor: Maybe[float] = result(
-        "Yield strength over the largest equivalent stress at the peak torque; absent if the "
-        "yield strength is not known.",
-        symbol="S",
-    )
-    fatigue: Maybe[PinFatigueOut] = None
-    deflection: Maybe[PinDeflectionOut] = None
-    tie_ring: Maybe[TieRingOut] = None
-    bolt: Maybe[BoltOut] = None
-    accuracy: AccuracyOut
-    warnings: Maybe[list[WarningOut]] = None
+    deflection: Maybe[PinDeflectionOut]
 
 
 class SupportBoundOut(PinStrengthOut):

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from core.arrays import check_positive
 from core.errors import InvalidInput
-from core.fields import optional_size, quantity, size
+from core.fields import answer, answered, optional_size, quantity, size
 from core.hertz import ElasticMaterial
 from core.output.pin_section import PinSection
 
@@ -68,19 +68,25 @@ def bolt_preload(*, tightening_torque: float, core_diameter: float) -> float:
     return tightening_torque / (NUT_FACTOR * THREAD * core_diameter)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Grip:
     """Bolt and spacer under the largest loads of the root, if the preload is not known.
 
     Nothing is then known to open, to slip or to hold.
     """
 
-    moment: float  # M of the root, N*m
-    shear_force: float  # V of the root, N
-    bending_amplitude: float  # bending stress of the bolt while the spacer holds, Pa
-    alone_stress: float  # bending stress of the bolt where it bends alone, Pa
-    opening_moment: float | None = None  # moment at which the spacer opens, N*m
-    slip_force: float | None = None  # shear force at which the spacer slips, N
+    moment: float = answer("Nm", "M")
+    """Largest bending moment of the spacer."""
+    shear_force: float = answer("N", "V")
+    """Largest shear force of the spacer."""
+    bending_amplitude: float = answer("MPa")
+    """Bending stress of the bolt while the spacer holds; the thread is not judged."""
+    alone_stress: float = answer("MPa")
+    """Bending stress of the bolt if it carries the largest moment alone."""
+    opening_moment: float | None = answer("Nm", default=None)
+    """Moment at which the joint opens under the least preload; absent without a preload."""
+    slip_force: float | None = answer("N", default=None)
+    """Force at which the spacer slips under the least preload; absent without a preload."""
     squeeze: float = 0.0  # pressure of the spacer by the preload, Pa
 
     @property
@@ -94,8 +100,11 @@ class Grip:
         return False
 
     @property
+    @answered()
     def holds(self) -> bool:
-        """True if the spacer carries: it neither opens nor slips under a known preload."""
+        """True if the preload holds the spacer, which then bends as the pin; otherwise the bolt
+        alone is the pin.
+        """
         return False
 
 

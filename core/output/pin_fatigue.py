@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from core.fatigue import CycleFatigue, FatigueStrength, judge_cycle
+from core.fields import answer
 from core.precision import ROUNDING
 
 NOTHING = 16 * ROUNDING
@@ -15,11 +16,17 @@ __all__ = ["FatigueStrength", "PinFatigue", "judged"]
 class PinFatigue(CycleFatigue):
     """Worst stress cycle of a pin, one for each turn of the crank against the output."""
 
-    # Direction chi of the point on the section's edge from the tangential direction, towards
-    # growing pressure angles, rad, 0 to 2*pi; None if the pin rotates, so that all are alike.
-    direction: float | None
-    position: float  # distance of the section from the carrier's face, m
-    life: float | None  # life, s, if finite and the speed is known
+    direction: float | None = answer("deg", "χ")
+    """Direction of the worst point of the section, measured from the tangential direction towards
+    growing pressure angles; absent if the pin rotates."""
+    position: float = answer("mm", "x")
+    """Distance of the section from the carrier's face."""
+    cycles: float | None = answer("", "N")
+    """Number of cycles to failure, one cycle per turn of the crank relative to the pins; absent
+    below the endurance limit."""
+    life: float | None = answer("h")
+    """Time to failure by that number of cycles; absent below the endurance limit or without a
+    speed."""
 
 
 def judged(

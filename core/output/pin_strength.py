@@ -18,6 +18,7 @@ import numpy as np
 from core.arrays import FloatArray, check_positive, check_single
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known, required
 from core.fatigue import LOW_CYCLES
+from core.fields import answer, answered
 from core.hertz import ElasticMaterial
 from core.output.ideal_turn import ideal_turn
 from core.output.loaded_pin import LoadedPin, PinLoads
@@ -45,61 +46,85 @@ class PinDeflection:
     Each has a disc of its own: between two supports a pin slopes least where it deflects most.
     """
 
-    satellite: int  # number of the disc with the largest deflection, from 1
-    deflection: float  # largest over the turn, m
-    slope_satellite: int  # number of the disc with the largest slope, from 1
-    # Largest rotation of the section over the turn, rad. For one disc between two supports it may
-    # be small; its error is that of the deflection over the distance to the nearer support.
-    slope: float
+    satellite: int = answer()
+    """Number of the satellite with the largest deflection, from 1."""
+    deflection: float = answer("mm", "w")
+    """Largest deflection in the middle of a satellite over the turn."""
+    slope_satellite: int = answer()
+    """Number of the satellite with the largest slope, from 1."""
+    slope: float = answer("mrad", "θ")
+    """Largest rotation of the section in the middle of a satellite. For one satellite between two
+    supports, its error is that of the deflection over the distance to the nearer support."""
 
 
 @dataclass(frozen=True, slots=True)
 class MomentLocus:
-    """Bending moment of a section of a pin over a turn of the crank against the output."""
+    """Bending moment of a section of a pin over a turn of the crank against the output, at both
+    sides of every switching angle.
+    """
 
-    position: float  # distance of the section from the carrier's face, m
-    crank_angle: FloatArray  # rad, shape (n,); both sides of every switching angle
-    tangential: FloatArray  # moment by the tangential forces, N*m, shape (n,)
-    radial: FloatArray  # moment by the radial forces, N*m, shape (n,)
-    # Stress in the worst direction of the fatigue, or in that of the largest moment, Pa, shape
-    # (n,).
-    stress: FloatArray
+    position: float = answer("mm", "x")
+    """Distance of the section from the carrier's face."""
+    crank_angle: FloatArray = answer("deg", "φ")
+    """Crank angles of the locus, over one turn of the crank relative to the pins."""
+    tangential: FloatArray = answer("Nm")
+    """Bending moment of the tangential forces."""
+    radial: FloatArray = answer("Nm")
+    """Bending moment of the radial forces."""
+    stress: FloatArray = answer("MPa", "σ")
+    """Bending stress in the worst direction."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PinStrength:
-    """Strength of a pin over the turn."""
+    """Strength of a pin over the turn.
 
-    peak_force: float  # largest contact force, N
-    peak_moment: float  # largest bending moment of any section, N*m
-    peak_moment_position: float  # distance of its section from the carrier's face, m
-    peak_bending_stress: float  # largest bending stress of any section, Pa
-    peak_shear_force: float  # largest shear force of any section, N
-    peak_shear_stress: float  # largest shear stress, of a solid pin 4/3 of its mean, Pa
-    peak_equivalent_stress: float  # largest equivalent stress of any section (Mises), Pa
+    The accuracy is that of all numbers but direction, amplitude, mean and life of the fatigue. The
+    first three are less exact than the utilisation, which is flat about the worst place; the life
+    has the error of the safety times the slope of the S-N line.
+    """
+
+    peak_force: float = answer("N", "F_max")
+    """Largest contact force over the turn."""
+    peak_moment: float = answer("Nm", "M")
+    """Largest bending moment of any section."""
+    peak_moment_position: float = answer("mm", "x")
+    """Distance of the section with the largest bending moment from the carrier's face."""
+    peak_bending_stress: float = answer("MPa", "σ_b")
+    """Largest bending stress, M/W; 32·M/(π·d³) for a solid pin."""
+    peak_shear_force: float = answer("N", "V")
+    """Largest shear force of any section."""
+    peak_shear_stress: float = answer("MPa", "τ")
+    """Largest shear stress, 4/3·V/A for a solid pin."""
+    peak_equivalent_stress: float = answer("MPa", "σ_v")
+    """Largest equivalent stress (Mises) of any section."""
     static_stress: float  # largest equivalent stress under the peak torque, Pa
     yield_strength: float | None  # Re of the pin, Pa, if known
     cycle: PinFatigue | None  # worst stress cycle, if asked for
-    deflection: PinDeflection  # largest deflection and slope
+    deflection: PinDeflection = answer()
+    """Largest deflection and slope in the middle of satellites."""
     # Locus of the section of the worst cycle, or of the largest moment, if it was asked for.
     locus: MomentLocus | None
     pin: int  # number of the worst pin, from 1; ideal pins are alike
-    tie_ring: TieRingLoad | None  # loads of the tie ring, if one joins the pins
-    # Accuracy of all numbers but direction, amplitude, mean and life of the fatigue. The first
-    # three are less exact than the utilisation, which is flat about the worst place; the life has
-    # the error of the safety times the slope of the S-N line.
-    accuracy: Accuracy
-    notices: tuple[Notice, ...]
-    bolt: Grip | None = None  # bolt and spacer, if the pin is a bolt
+    tie_ring: TieRingLoad | None = answer()
+    """Loads of the tie ring, if one joins the pins."""
+    bolt: Grip | None = answer(default=None)
+    """Bolt and spacer, if the pin is a bolt."""
+    accuracy: Accuracy = answer()
+    notices: tuple[Notice, ...] = answer()
 
     @property
+    @answered("", "S", optional=True)
     def static_safety_factor(self) -> float:
-        """Yield strength Re over the stress under the peak torque; `NotKnown` without Re."""
+        """Yield strength over the largest equivalent stress at the peak torque; absent if the
+        yield strength is not known.
+        """
         return required(self.yield_strength, "yield_unknown") / self.static_stress
 
     @property
+    @answered(optional=True)
     def fatigue(self) -> PinFatigue:
-        """Worst stress cycle of the pins; `NotKnown` without fatigue data."""
+        """Worst stress cycle of the pins; absent without fatigue data."""
         return required(self.cycle, "endurance_unknown")
 
 

@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray
+from core.fields import answer
 from core.output.loaded_pin import LoadedPin
 from core.output.sampled_turn import PinForces, PinsMade
 from core.output.tie_ring import RingForces, TieRing, ring_forces
@@ -16,10 +17,14 @@ from core.output.tie_ring import RingForces, TieRing, ring_forces
 class TieRingLoad:
     """Largest loads and movements of a tie ring over the turn."""
 
-    peak_force: float  # largest force X of the ring on a pin, N
-    peak_end_moment: float  # largest moment at the end of a pin, N*m; 0 if pinned
-    shift: float  # largest movement of the ring's middle, m
-    turn: float  # largest rotation about the axis against the carrier, rad
+    peak_force: float = answer("N", "X")
+    """Largest force of the tie ring on a pin."""
+    peak_end_moment: float = answer("Nm", "M_L")
+    """Largest moment of the tie ring on the end of a pin; 0 if the joint is pinned."""
+    shift: float = answer("mm", "U")
+    """Largest displacement of the tie ring in its plane."""
+    turn: float = answer("mrad", "ω")
+    """Largest rotation of the tie ring relative to the carrier."""
 
 
 @dataclass(frozen=True)

@@ -55,6 +55,8 @@ ORDERED = {
     "core.design.document.value_at",
     "core.design.refusals.named",
     "core.errors.required",
+    "core.fields.answer",
+    "core.fields.answered",
     "core.fields.quantity",
     "core.output.force_laws.depressed_cubic_roots",
     "core.output.force_bounds.least_total",
