@@ -19,6 +19,7 @@ TABLES = Path(__file__).parent / "bearing_tables"
 
 MAKERS = {
     "FBJ": "FBJ catalogue",
+    "INA": "INA Machined needle roller bearings, TPI 117, April 2005",
     "ISB": "ISB catalogue, kN to 0.01",
     "Koyo": "Koyo standard bearings, CAT. NO. B2001, kN to 0.01",
     "NKE": "NKE General Catalogue, 2018/10",
@@ -34,11 +35,11 @@ SUFFIXES = r"(?:ZZ|Z|2Z|RS|2RS|2RS1|2RSR|2RSH|DD|VV|DDU|LLU|LLB|OPEN)?"
 """Suffixes of bearing names for shields and seals, which change no rating here."""
 
 SPELLINGS = (
-    (rf"((?:MR)?\d+)[- ]?{SUFFIXES}", r"\1"),
+    (rf"((?:MR)?\d+(?:/\d\d)?)[- ]?{SUFFIXES}", r"\1"),
     (rf"6(?:1([89])([01]\d)|1(9)/([3-9]))[- ]?{SUFFIXES}", r"6\1\2\3\4"),
     (r"(N[UJ]) ?(\d{3})", r"\1\2"),
     (r"(N[UJ]) ?(\d{3})[- ]?(?:E[A-Z\d-]*|R)", r"\1\2E"),
-    (r"(R?NA|HK) ?(\d+(?:/\d\d)?)", r"\1\2"),
+    (r"(R?NA|HK) ?(\d+(?:/\d\d)?(?:-XL)?)", r"\1\2"),
 )
 """Names of makers as patterns, and those of the tables: 61805 is 6805, NU205ECP is NU205E."""
 

@@ -10,13 +10,10 @@ from core.crank.envelope import HIGH, largest_ratings
 
 # ISO 15: bores of 3 to 9 mm and bore codes 00 to 12 (10, 12, 15, 17, then 5 mm each).
 SMALL = {f"{bore}": bore for bore in range(3, 10)}
-CODES = {
-    "00": 10,
-    "01": 12,
-    "02": 15,
-    "03": 17,
-    **{f"{code:02}": 5 * code for code in range(4, 13)},
-}
+CODES = {"00": 10, "01": 12, "02": 15, "03": 17} | {f"{i:02}": 5 * i for i in range(4, 13)}
+
+# ISO 15: outer diameter and width for bores of 22, 28, 32 mm.
+BETWEEN = {"60": "44 12 52 12 58 13", "62": "50 14 58 16 65 17", "63": "56 16 68 18 75 20"}
 
 # ISO 15: outer diameters D of the diameter series 8, 9, 0, 2, 3 over SMALL and CODES.
 OUTER = {
@@ -58,10 +55,15 @@ def standard() -> dict[str, tuple[float, float, float]]:
             if series[1] in "23" and bore >= 15:
                 for name in (f"{kind}{series[1]}{code}" for kind in ("NU", "NJ")):
                     sizes[name] = sizes[name + "E"] = sizes[series + code]
+    for series, said in BETWEEN.items():
+        wide, width = said.split()[::2], said.split()[1::2]
+        for bore, *size in zip((22, 28, 32), map(float, wide), map(float, width), strict=True):
+            sizes[f"{series}/{bore}"] = (bore, *size)
     for row in NEEDLES.split(","):
         name, *d = row.split()
         bore, shaft, wide, width = map(float, d)
-        sizes["NA" + name], sizes["RNA" + name] = (bore, wide, width), (shaft, wide, width)
+        sizes["NA" + name] = sizes[f"NA{name}-XL"] = (bore, wide, width)
+        sizes["RNA" + name] = sizes[f"RNA{name}-XL"] = (shaft, wide, width)
     cups = dict(each.split() for each in CUPS.split(","))
     for name in (each for each in BEARINGS if each.startswith("HK")):
         shaft, width = int(name[2:4]), int(name[4:])
@@ -85,7 +87,8 @@ def test_each_row_names_its_makers_and_its_series() -> None:
     for name, each in BEARINGS.items():
         assert name == each.name and name.startswith(each.series)
         assert {each.mass_maker, *(maker.maker for maker in each.makers)} <= {*MAKERS}
-        assert len({maker.maker for maker in each.makers}) > 1 or each.series == "HK"
+        own = each.series == "HK" or name.endswith("-XL")
+        assert own or len({maker.maker for maker in each.makers}) > 1
         assert each.dynamic_rating == min(maker.dynamic_rating for maker in each.makers)
         assert each.kind == ("ball" if each.elements == "ball" else "roller")
         assert each.inner_ring == (each.series not in ("RNA49", "HK"))
@@ -123,9 +126,11 @@ def unevenness(values: list[float]) -> float:
 def families() -> dict[str, list[NamedBearing]]:
     """Bearings of one design in the order of their sizes; MR bearings are of one design each."""
     found: dict[str, list[NamedBearing]] = {}
-    for each in (each for each in BEARINGS.values() if each.series != "MR"):
+    for name, each in BEARINGS.items():
+        if each.series == "MR":
+            continue
         small = " small" if each.elements == "ball" and each.bore_diameter < 0.01 else ""
-        design = "E" if each.name.endswith("E") else ""
+        design = next((each for each in ("E", "-XL") if name.endswith(each)), "")
         found.setdefault(each.series + design + small, []).append(each)
     return found
 
@@ -203,10 +208,12 @@ def test_heavier_series_of_a_bore_carry_more() -> None:
         *((each, "NU205E") for each in ("NU 205 ECP", "NU205-E-TVP2", "nu205r", "NU205 ET")),
         ("NU 205", "NU205"),
         ("61805-2RS1", "6805"),
+        ("62/22-2RS1", "62/22"),
         ("61912", "6912"),
         ("619/8", "698"),
         ("NA 49/22", "NA49/22"),
         ("RNA4905", "RNA4905"),
+        ("NA 4904-XL", "NA4904-XL"),
         ("hk 1512", "HK1512"),
     ],
 )
