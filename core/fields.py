@@ -10,10 +10,10 @@ import ast
 import inspect
 import re
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import MISSING, dataclass, field
 from functools import cache, partial
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import Any, Literal, NamedTuple, TypeVar, get_type_hints
 
 SMALLEST = 1e-12
@@ -139,18 +139,19 @@ class Quantity(NamedTuple):
     meaning: str  # text below the field, or that of the property; empty for none
 
 
-def quantities_of(kind: Any) -> Iterator[Quantity]:
+def quantities_of(kind: Any) -> Collection[Quantity]:
     """Quantities of a result that answers have: fields first, then properties."""
+    found: dict[str, Quantity] = {}
     hints, helps = get_type_hints(kind), help_of(kind)
     for name, each in getattr(kind, "__dataclass_fields__", {}).items():
         if output := each.metadata.get("output"):
-            yield Quantity(name, output, hints[name], helps.get(name, ""))
-    for owner in reversed(kind.__mro__):
-        for name, each in vars(owner).items():
-            method = getattr(each, "fget", None) or getattr(each, "calculate", None)
-            if output := getattr(method, "output", None):
-                meaning = " ".join((method.__doc__ or "").split())
-                yield Quantity(name, output, get_type_hints(method)["return"], meaning)
+            found[name] = Quantity(name, output, hints[name], helps.get(name, ""))
+    for name, each in chain.from_iterable(vars(owner).items() for owner in reversed(kind.__mro__)):
+        method = getattr(each, "fget", None) or getattr(each, "calculate", None)
+        if output := getattr(method, "output", None):
+            meaning = " ".join((method.__doc__ or "").split())
+            found[name] = Quantity(name, output, get_type_hints(method)["return"], meaning)
+    return found.values()
 
 
 def help_of(kind: type) -> dict[str, str]:

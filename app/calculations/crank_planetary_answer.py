@@ -30,6 +30,7 @@ from app.model import (
     WarningOut,
     result,
 )
+from core.checks.cold_yield import ColdYield
 from core.checks.records import CHECKS
 from core.design.real_forces import RealForces
 from core.output.sampled_turn import WAYS
@@ -71,25 +72,9 @@ class DesignHertzOut(HertzResponse):
     )
 
 
-class ColdYieldOut(ResponseModel):
+class ColdYieldOut(ResponseModel, of=ColdYield):
     """First yield of a plastic contact. A lower torque is not proven to be safe over the life."""
 
-    torque_Nm: float = result(
-        "Torque above which the cold plastic (23 °C) yields at the first application."
-    )
-    part: Literal["contact", "teeth"] = result(
-        "Part that yields: a pin or a hole (contact), or the teeth of a disc on pins whose "
-        "forces are known (teeth)."
-    )
-    quarter_Nm: float = result(
-        "Quarter of that torque, at which the stress is half of the strength."
-    )
-    strength_MPa: float = result(
-        "Strength used for the yield torque, in the direction of the load."
-    )
-    friction: float = result(
-        "Friction coefficient of the sliding contact; 0 for teeth if it is not known.", symbol="μ"
-    )
     source: Maybe[str] = result("Source of the strength; absent if the request gives the strength.")
     open: list[str] = Field(
         description="Checks that this section does not cover, or whose input is not given.",

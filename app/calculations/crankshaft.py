@@ -16,13 +16,11 @@ from app.calculations.document import (
     forces_used,
 )
 from app.model import (
-    AccuracyOut,
     Calculation,
     DocumentResponse,
     Maybe,
     ResponseModel,
     Values,
-    WarningOut,
     WorkedFields,
     result,
     timed,
@@ -31,6 +29,7 @@ from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
 from app.worked import worked
+from core.crank.balance import Balance, Correction
 from core.crank.crankshaft import Crankshaft, ReactionCurves
 from core.design.curves import design_reactions
 from core.worked.crank import shaft_steps
@@ -79,40 +78,22 @@ class ShaftBearingOut(ResponseModel):
     )
 
 
-class CorrectionOut(ResponseModel):
+class CorrectionOut(ResponseModel, of=Correction):
     """Correction of the unbalance in the plane of a bearing."""
 
-    unbalance_kg_mm: float = result("Unbalance of the correction: mass times radius.", symbol="U")
-    angle_deg: float = result(
-        "Direction of the correction, measured like the crank angles.", symbol="α"
-    )
 
-
-class BalanceOut(ResponseModel):
+class BalanceOut(ResponseModel, of=Balance):
     """Centrifugal forces of satellites and counterweights."""
 
-    unbalance_kg_mm: float = result("Residual unbalance: mass times radius.", symbol="U")
-    force_N: float = result("Centrifugal force of the residual unbalance, U·ω₁².", symbol="F")
-    couple_Nm: float = result(
-        "Couple of the residual unbalance about the middle of the bearings.", symbol="M"
-    )
-    grade_mm_per_s: float = result(
-        "Speed of the rotor's centre of mass about the axis, U·ω₁/M.", symbol="G"
-    )
-    bearing_force_N: list[float] = result(
-        "Magnitude of each bearing's reaction to the residual unbalance."
-    )
+    bearing_force_N: list[float]
     corrections: list[CorrectionOut]
 
 
-class CrankshaftResponse(DocumentResponse):
+class CrankshaftResponse(DocumentResponse, of=Crankshaft):
     """Reactions of the shaft's bearings, and its balance."""
 
     forces: ForcesUsed = forces_used()
     bearings: list[ShaftBearingOut]
-    balance: Maybe[BalanceOut] = None
-    accuracy: AccuracyOut
-    warnings: Maybe[list[WarningOut]] = None
 
     @classmethod
     def values(cls, result: Crankshaft, run_time_us: float | None = None, **given: Any) -> Values:

@@ -16,21 +16,14 @@ from app.model import (
 from app.units import from_si
 from core.arrays import FloatArray
 from core.output.mechanism import Members
-from core.output.room import Rooms
+from core.output.room import DiscRoom, Rooms
 
 ALL_ROUND = math.pi
 """Lag to either side of a pin that its hole does not bound, rad."""
 
 
-class DiscOut(ResponseModel):
+class DiscOut(ResponseModel, of=DiscRoom):
     """Fit of one satellite by itself."""
-
-    satellite: int = result("Number of the satellite, from 1.", symbol="j")
-    least_room_mm: float = result("Least room of the satellite over the turn.")
-    turned_deg: float = result(
-        "Angle of the holes ahead of the pins with the satellite in place, as a mean by least "
-        "squares."
-    )
 
 
 class ElasticOut(ResponseModel):

@@ -16,23 +16,12 @@ RING_MATERIAL = "steel_structural"
 """Material of the ring if it is not given."""
 
 
-class InvoluteGeometryOut(ResponseModel):
+class InvoluteGeometryOut(ResponseModel, of=InvolutePair):
     """Mesh of involute teeth of satellite and ring."""
 
     operating_pressure_angle_deg: float = result("Operating pressure angle.", symbol="α_w")
     eccentricity_mm: float = result(
         "Eccentricity; if none is given, the one without backlash.", symbol="e"
-    )
-    eccentricity_without_backlash_mm: float = result(
-        "Eccentricity at which the teeth fill their spaces.", symbol="e₀"
-    )
-    normal_backlash_mm: float = result(
-        "Distance between the idle flanks along their normal; the teeth press if it is negative.",
-        symbol="j_n",
-    )
-    backlash_arcmin: float = result(
-        "Angle through which the satellite, and with it the output, can turn in the ring.",
-        symbol="j_n/r_bs",
     )
     satellite_tip_radius_mm: float = result("Tip radius of the satellite.", symbol="r_as")
     ring_tip_radius_mm: float = result("Tip radius of the ring.", symbol="r_ar")
@@ -40,52 +29,13 @@ class InvoluteGeometryOut(ResponseModel):
     ring_root_radius_mm: float = result(
         "Root radius of the ring; assumed if no cutter is given.", symbol="r_fr"
     )
-    tip_clearance_satellite_mm: float = result(
-        "Clearance from the satellite's tip to the ring's root."
-    )
-    tip_clearance_ring_mm: float = result("Clearance from the ring's tip to the satellite's root.")
-    satellite_tip_thickness_mm: float = result(
-        "Thickness of the satellite's teeth at the tip circle."
-    )
-    ring_tip_thickness_mm: float = result("Thickness of the ring's teeth at the tip circle.")
-    contact_ratio: float = result("Length of the path of contact over the base pitch.", symbol="ε")
     start_roll_satellite: float = result(
         "Tangent of the satellite's pressure angle at the start of the path.", symbol="τ₁"
-    )
-    form_roll_satellite: float = result(
-        "Tangent of the pressure angle above which the satellite's flank is an involute; the "
-        "satellite is undercut if it is negative.",
-        symbol="τ_F",
-    )
-    end_roll_ring: float = result("Tangent of the ring's pressure angle at the end of the path.")
-    form_roll_ring: Maybe[float] = result(
-        "Tangent of the pressure angle up to which the ring's flank is an involute, if the "
-        "cutter is given."
-    )
-    tips_overlap_all_round: bool = result(
-        "True if the satellite's tip circle encloses the ring's tip circle."
     )
     tip_interference_G: Maybe[float] = result(
         "Tip interference value G, in radians times teeth, which has to be at least 0; absent "
         "if the tip circles do not cross.",
         symbol="G",
-    )
-    tip_gap_mm: Maybe[float] = result(
-        "Approximate gap between the tips at the crossing of the tip circles; absent if the "
-        "circles do not cross."
-    )
-    reduced_radius_start_mm: Maybe[float] = result(
-        "Radius of relative curvature at the start of the path of contact."
-    )
-    reduced_radius_end_mm: Maybe[float] = result(
-        "Radius of relative curvature at the end of the path of contact."
-    )
-    pitch_point_on_path: bool = result(
-        "True if the pitch point, at which the flanks roll without sliding, lies on the path of"
-        " contact."
-    )
-    satellite_undercut: bool = result(
-        "True if the hob cuts away a part of the satellite's involute."
     )
 
     @classmethod
@@ -106,17 +56,10 @@ class InvoluteGeometryOut(ResponseModel):
         return super().values(result, run_time_us, **own, **given)
 
 
-class RootStressOut(ResponseModel):
+class RootStressOut(ResponseModel, of=RootStress):
     """Root of the satellite's teeth under the force at the tip of one tooth."""
 
     root_chord_mm: float = result("Chord of the critical section.", symbol="s_Fn")
-    fillet_radius_mm: float = result("Radius of the fillet at the critical section.", symbol="ρ_F")
-    moment_arm_mm: float = result(
-        "Lever arm of the force about the critical section.", symbol="h_Fe"
-    )
-    form_factor: float = result("Form factor, from lever arm and chord.", symbol="Y_F")
-    stress_correction: float = result("Stress correction factor, from the notch.", symbol="Y_S")
-    load_angle_deg: float = result("Angle of the force against the tooth.", symbol="α_Fen")
     root_stress_one_pair_MPa: float = result(
         "Root stress if one pair carries the whole load.", symbol="σ_F"
     )
@@ -129,7 +72,7 @@ class RootStressOut(ResponseModel):
         return super().values(result, run_time_us, **own, **given)
 
 
-class InvoluteStressesOut(ResponseModel):
+class InvoluteStressesOut(ResponseModel, of=InvoluteLoad):
     """Stresses of involute teeth by the torque of a satellite, with one pair carrying all."""
 
     pressure_one_pair_start_MPa: Maybe[float] = result(

@@ -30,6 +30,7 @@ from core.design.sections import MAX_PAIRS as MAX_PAIRS
 from core.design.sections import MechanismSection
 from core.design.tolerances import class_pattern
 from core.errors import InvalidInput, Notice
+from core.output.contact_force import PairNumber
 from core.output.mechanism import MAX_SATELLITES as MAX_SATELLITES
 from core.output.mechanism import Mechanism, Members, ratio_from_teeth
 from core.output.room import Rooms
@@ -249,7 +250,7 @@ class MechanismFields(SectionFields, of=MechanismSection, group="mechanism"):
         return Members(self.in_si.output, self.in_si.ratio)
 
 
-class PairOut(ResponseModel):
+class PairOut(ResponseModel, of=PairNumber):
     """Pair of hole and pin by number."""
 
     satellite: int = result("Number of the satellite, from 1.", symbol="j")

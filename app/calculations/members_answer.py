@@ -18,7 +18,7 @@ TORQUES = ("torque_Nm", "satellite_torque_Nm")
 """Torques of the output; the crank's torque does not depend on the choice of output."""
 
 
-class MembersOut(ResponseModel):
+class MembersOut(ResponseModel, of=MemberLoads):
     """Crank, pins and ring under the torque in its driving sense, without losses.
 
     Speeds and torques are positive in the sense of the crank; torques act on a member from outside;
@@ -30,12 +30,6 @@ class MembersOut(ResponseModel):
     BESIDE = ("output", *SPEEDS)
 
     output: Output = result("Output link.")
-    output_ratio: Maybe[float] = result(
-        "Speed of the crank over that of the output, negative if they turn in opposite "
-        "directions; ratio of the shafts of a coupling; absent if ring and pins are both "
-        "outputs.",
-        symbol="i",
-    )
     crank_speed_rpm: Maybe[float] = result("Speed of the crank.", symbol="n₁")
     carrier_speed_rpm: Maybe[float] = result(
         "Speed of the pins, and of the satellites, which turn with them.",
@@ -52,18 +46,6 @@ class MembersOut(ResponseModel):
         "Speed of the crank relative to the ring, by which the mechanism is calculated.",
         symbol="n₁ − n_r",
     )
-    pin_torque_Nm: float = result("Torque on the pins.", symbol="T")
-    crank_torque_Nm: float = result(
-        "Torque on the crank of a reducer without losses; the motor has to supply the losses as"
-        " well.",
-        symbol="T₁",
-        equation="T/u",
-    )
-    ring_torque_Nm: float = result("Torque on the ring.", symbol="T_r", equation="−T·(1 + 1/u)")
-    crank_power_W: Maybe[float] = result("Power that enters by the crank.", symbol="P₁")
-    carrier_power_W: Maybe[float] = result("Power that enters by the pins.", symbol="P_c")
-    ring_power_W: Maybe[float] = result("Power that enters by the ring.", symbol="P_r")
-    power_balance_W: Maybe[float] = result("Sum of the powers, which is 0 within rounding.")
     accuracy: AccuracyOut
 
     @classmethod

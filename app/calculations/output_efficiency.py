@@ -1,7 +1,7 @@
 """Friction of the pins in the holes: request, answer, figure."""
 
 import math
-from typing import Any, ClassVar, Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from pydantic import Field
@@ -17,13 +17,11 @@ from app.calculations.document import (
 )
 from app.calculations.ideal_forces import CurveFields
 from app.model import (
-    AccuracyOut,
     Calculation,
     DocumentResponse,
     Maybe,
     ResponseModel,
     Values,
-    WarningOut,
     timed,
 )
 from app.sources import ARCHARD_1953, WANG_2016, YANCHEVSKIY_2021
@@ -90,87 +88,15 @@ class OutputEfficiencyRequest(CurveFields, StrengthFields):
         return losses, self.curves(losses, angles), switching
 
 
-def result(title: str, symbol: str, meaning: str, **default: Any) -> Any:
-    """Field of the answer by its name, symbol, meaning and equation."""
-    return Field(
-        title=title, description=meaning, json_schema_extra={"x-symbol": symbol}, **default
-    )
-
-
-class LossCurvesOut(ResponseModel):
+class LossCurvesOut(ResponseModel, of=LossCurves):
     """Loss and efficiency over one turn of the crank."""
 
-    crank_angle_deg: list[float] = result("Crank angle", "φ", "Crank angles, evenly spaced.")
-    loss_W: list[float] = result("Loss", "P", "Power loss by friction, μ·v·ΣF.")
-    efficiency: list[float] = result(
-        "Efficiency", "η", "Output power over the sum of output power and loss."
-    )
 
-
-class OutputEfficiencyResponse(DocumentResponse):
+class OutputEfficiencyResponse(DocumentResponse, of=PinLosses):
     """Sliding speed, loss, efficiency, pv and wear of the pins."""
 
     forces: ForcesUsed = forces_used()
-    relative_speed_rpm: float = result(
-        "Relative speed", "n", "Speed of the crank relative to the pins, n₁·(1 + 1/u)."
-    )
-    sliding_speed_m_per_s: float = result(
-        "Sliding speed",
-        "v",
-        "Sliding speed of the pin in the hole, e·ω, or of the pin in its sleeve, e·ω·r_p/r_s.",
-    )
-    sleeve_speed_rpm: Maybe[float] = result(
-        "Speed of the sleeves", "n_s", "Speed of the sleeves relative to their pins, n·e/r_s."
-    )
-    output_power_W: float = result("Output power", "P₂", "Power of the output, T·ω₁/u.")
-    peak_force_N: float = result("Peak force", "F_max", "Largest contact force over the turn.")
-    mean_total_force_ratio: float = result(
-        "Mean total force",
-        "⟨ΣF⟩/F₀",
-        "Mean over the turn of the sum of all contact forces, over F₀ = T/R; 4/π for linear "
-        "contacts and an even number of evenly spaced phases.",
-    )
-    mean_loss_W: float = result("Mean loss", "P", "Mean power loss over the turn, of μ·v·ΣF.")
-    efficiency: float = result(
-        "Efficiency",
-        "η",
-        "Efficiency of the output mechanism alone, P₂/(P₂ + P) with the mean loss.",
-    )
-    min_efficiency: float = result("Least efficiency", "η_min", "Least efficiency over the turn.")
-    max_efficiency: float = result(
-        "Largest efficiency", "η_max", "Largest efficiency over the turn."
-    )
-    peak_pv_MPa_m_per_s: float = result(
-        "Peak pv",
-        "(pv)_max",
-        "Largest force over the projected area 2·r·b, times e·ω, as in the limits of bushes. A "
-        "bare pin touches its wider hole along a narrow strip, where the value is higher.",
-    )
-    mean_pv_MPa_m_per_s: float = result(
-        "Mean pv",
-        "(pv)_m",
-        "Mean force of all pairs over the turn over the projected area 2·r·b, times e·ω.",
-    )
-    pin_wear_mm: Maybe[float] = result(
-        "Wear of the pin",
-        "h_in",
-        "Largest depth of wear of the pin, k·F_max·e/(b·r) per turn of the relative speed.",
-    )
-    hole_wear_mm: Maybe[float] = result(
-        "Wear of the hole",
-        "h_out",
-        "Largest depth of wear of the hole, k·F_max·e/(b·r_out) per turn of the relative speed; "
-        "absent with sleeves, which roll in the hole.",
-    )
-    friction_couple: float = result(
-        "Couple of the friction",
-        "ΔP/P",
-        "Share of the torque that friction itself carries on the mean, μ·r·⟨ΣF⟩/T: to the first "
-        "order the loss is too large by this share.",
-    )
     curves: Maybe[LossCurvesOut] = None
-    accuracy: AccuracyOut
-    warnings: Maybe[list[WarningOut]] = None
 
     @classmethod
     def values(

@@ -20,49 +20,25 @@ from app.model import (
 from app.units import from_si, rounded
 from core.crank.ring_mesh import cycloid_mesh
 from core.design.drawings import DrawnMesh, DrawnTeeth
+from core.ring.loss import RingLoss
 from core.ring.mesh_curves import MeshCurves, SeriesCurves
 from core.ring.profile import CycloidDisc, OutlinePoints
-from core.ring.sharing import ideal_mesh
+from core.ring.shared_pairs import PairsThatCarry
+from core.ring.sharing import IdealMesh, MeshPosition, MeshTurn, ideal_mesh
 
 DRAWN_DIGITS = 6
 """Digits of drawn values, relative to the largest of a kind."""
 
 
-class RingGeometryOut(ResponseModel):
+class RingGeometryOut(ResponseModel, of=CycloidDisc):
     """Discs by their sizes alone."""
 
-    shortening_coefficient: float = result(
-        "Shortening coefficient e·z₃/R_p of the ring pins.", symbol="K₁"
-    )
-    min_path_radius_mm: float = result(
-        "Least convex radius of curvature of the tool's path.", symbol="ρ_min"
-    )
-    undercut_margin: float = result(
-        "Least convex radius of the tool's path over the radius of the tool; at 1 or below the "
-        "tool cuts off a part of the flanks.",
-        symbol="ρ_min/r_m",
-    )
-    tip_radius_mm: float = result("Largest radius of a disc.", symbol="R_m + e − r_m")
-    root_radius_mm: float = result("Least radius of a disc.", symbol="R_m − e − r_m")
-    min_concave_radius_mm: Maybe[float] = result(
-        "Least concave radius of curvature of a disc; the wheel that grinds the valleys has to "
-        "be smaller."
-    )
 
-
-class RingIdealOut(ResponseModel):
+class RingIdealOut(ResponseModel, of=IdealMesh):
     """Perfect parts on many pins, contacts linear, in closed form."""
 
     BESIDE = ("radial_force_ratio",)
 
-    peak_force_N: float = result("Largest force of a pin, 4T_j/(K₁·z₂·R_p).", symbol="F_max")
-    mean_sum_force_N: float = result(
-        "Mean over the turn of the sum of forces on a disc, 4T_j/(π·e·z₂).", symbol="ΣF"
-    )
-    backlash_arcmin: Maybe[float] = result(
-        "Play caused by the modification alone; absent if the modification makes the mesh jam.",
-        symbol="2(Δ_e − Δ_p·q)/(e·z₂)",
-    )
     radial_force_ratio: float = result(
         "Force of the ring along the crank over that across it; negative outwards.", symbol="ρ"
     )
@@ -78,47 +54,13 @@ class RingIdealOut(ResponseModel):
         return cls.values(ideal_mesh(disc=disc, disc_torque=disc_torque), radial_force_ratio=ratio)
 
 
-class MeshPositionOut(ResponseModel):
+class MeshPositionOut(ResponseModel, of=MeshPosition):
     """Mesh at one crank angle under load."""
 
     BESIDE = ("sliding_speed_m_per_s", "loss_per_friction", "pressed_without_load")
 
-    crank_angle_deg: float = result("Crank angle.", symbol="φ")
-    rotation_arcmin: list[float] = result(
-        "Lag of each disc's teeth behind their ideal angle, including clearance; negative in "
-        "reverse. The lag of a rigid output is the same.",
-        symbol="θ_j",
-    )
-    force_N: list[list[float]] = result(
-        "Force of each ring pin, as one list per satellite.", symbol="F_jk"
-    )
-    disc_torque_Nm: list[float] = result(
-        "Torque of the forces about each disc's centre.", symbol="T_j", equation="ΣF·h"
-    )
-    crank_across_N: list[float] = result(
-        "Force of the ring on each disc against the turning of its crank.", symbol="W_j"
-    )
-    crank_along_N: list[float] = result(
-        "Force of the ring on each disc along its crank, to the axis."
-    )
-    loaded_pairs: int = result("Number of pairs with a force.")
-    play_arcmin: Maybe[list[float]] = result(
-        "Least and largest lag of the unloaded discs; absent if pairs press without load.",
-        symbol="θ₋, θ₊",
-    )
+    play_arcmin: Maybe[list[float]]
     pressed_without_load: Maybe[bool] = result("True if pairs press without load.")
-    interference_mm: Maybe[float] = result(
-        "Least possible value of the largest approach of the unloaded pairs, if pairs press "
-        "without load.",
-        symbol="δ",
-    )
-    stiffness_Nm_per_arcmin: float = result(
-        "Torsional stiffness of the mesh alone: slope of the torque over the rotation.",
-        symbol="dT/dθ",
-    )
-    max_pressure_MPa: float = result(
-        "Largest Hertz pressure of the pairs.", symbol="p_0", equation="Johnson 4.2"
-    )
     sliding_speed_m_per_s: Maybe[float] = result(
         "Largest sliding speed of a loaded disc on a ring pin at rest, if the speed is known.",
         symbol="v_s",
@@ -129,34 +71,20 @@ class MeshPositionOut(ResponseModel):
     )
 
 
-class TeethTurnOut(ResponseModel):
+OF_BOTH_MESHES = (
+    *("transmission_error", "unloaded_transmission_error", "backlash_max", "backlash_min"),
+    *("lost_motion", "stiffness_min", "stiffness_max", "input_torque_ripple"),
+)
+"""Quantities of a turn that belong to both meshes if these are in series."""
+
+
+class TeethTurnOut(ResponseModel, of=MeshTurn, without=OF_BOTH_MESHES):
     """Ring teeth over the turn, with both meshes in series: forces, pressures and lags of the discs
     in the common solution. Play, stiffness and transmission error are of both meshes and are in
     `load_sharing`. The accuracy is that of the largest pressure.
     """
 
-    peak_force_N: float = result("Largest force of all pairs over the turn.", symbol="F_max")
-    peak_force_ratio: float = result("Largest force of all pairs over that of perfect parts.")
-    peak_crank_angle_deg: float = result("First crank angle with the largest force.", symbol="φ")
     peak_pair: PairOut = result("Satellite and ring pin with the largest force.")
-    lag_min_arcmin: float = result(
-        "Least lag of a disc under load; negative in reverse.", symbol="θ"
-    )
-    lag_max_arcmin: float = result("Largest lag of a disc under load.", symbol="θ")
-    loaded_pairs_min: int = result("Least number of pairs with a force.")
-    loaded_pairs_max: int = result("Largest number of pairs with a force.")
-    max_pressure_MPa: float = result(
-        "Largest Hertz pressure over the turn.", symbol="p_0", equation="Johnson 4.2"
-    )
-    radial_force_ratio_min: float = result(
-        "Least force of the ring along a crank, over the force across the crank of a disc that "
-        "carries its even share of the torque; negative outwards."
-    )
-    radial_force_ratio_max: float = result(
-        "Largest force of the ring along a crank, over the force across the crank of a disc "
-        "that carries its even share of the torque; negative outwards."
-    )
-    pressed_without_load: bool = result("True if pairs press without load at any crank angle.")
 
 
 class MeshTurnOut(LagTurnOut, TeethTurnOut):
@@ -177,25 +105,8 @@ class MeshTurnOut(LagTurnOut, TeethTurnOut):
     )
 
 
-class RingEfficiencyOut(ResponseModel):
+class RingEfficiencyOut(ResponseModel, of=RingLoss):
     """Friction of the mesh over the turn, if its coefficient is known."""
-
-    loss_per_friction: float = result(
-        "Power loss over output power for a friction coefficient of 1, mean over the turn.",
-        equation="ΣF·|R_p·S − r|·c/T; |τ − tan α_w| of involute teeth, over the path",
-    )
-    loss_ratio: float = result("Power loss over output power, mean over the turn.")
-    efficiency: float = result("Efficiency of the mesh with the ring alone.", symbol="η")
-    ideal_loss_ratio: Maybe[float] = result(
-        "Power loss over output power of perfect parts with many pins.",
-        symbol="4μ(R_p − r)/(π·e·z₂)",
-    )
-    mean_loss_W: Maybe[float] = result("Mean power loss, if the speed is known.")
-    peak_pv_MPa_m_per_s: Maybe[float] = result(
-        "Largest product of pressure and sliding speed, if the speed is known: of sleeves in "
-        "their bores, else of the contact with π/4 of its Hertz pressure, for comparison only.",
-        symbol="pv",
-    )
 
 
 class ProfileOut(ResponseModel):
@@ -312,17 +223,10 @@ class RingDrawingOut(ResponseModel):
         return values
 
 
-class SharedPairsOut(ResponseModel):
+class SharedPairsOut(ResponseModel, of=PairsThatCarry):
     """Number of pairs of perfect involute teeth that carry over a pitch, for information: pitch
     errors of some microns remove most of this sharing, and stresses are those of one pair.
     """
-
-    loaded_pairs_min: int = result("Least number of pairs with a force.")
-    loaded_pairs_max: int = result("Largest number of pairs with a force.")
-    largest_share: float = result("Largest share of the force that one pair carries.")
-    edge_contact: bool = result(
-        "True if a pair carries at the corner of a tip, where the pressure is not known."
-    )
 
 
 class DesignMeshOut(ResponseModel):

@@ -16,20 +16,16 @@ from app.calculations.document import (
     forces_used,
 )
 from app.model import (
-    AccuracyOut,
     Calculation,
     DocumentResponse,
-    Maybe,
     ResponseModel,
     Values,
-    WarningOut,
     WorkedFields,
-    result,
     timed,
 )
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
-from app.units import from_si
+from app.units import core_name, from_si
 from app.worked import worked
 from core.arrays import FloatArray
 from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
@@ -63,46 +59,22 @@ class SatelliteBearingRequest(StrengthFields, WorkedFields):
         return self.solve(), curves, switching
 
 
-class SatelliteBearingOut(ResponseModel):
+OF_EACH = (
+    *("peak_load", "min_load", "equivalent_load", "peak_ring_force"),
+    *("basic_life", "life", "static_safety_factor"),
+)
+"""Quantities of each bearing."""
+
+
+class SatelliteBearingOut(ResponseModel, of=SatelliteBearings, only=OF_EACH):
     """The bearing of one satellite."""
 
-    peak_load_N: float = result("Largest load over the turn.", symbol="Q_max")
-    min_load_N: float = result("Least load over the turn.", symbol="Q_min")
-    equivalent_load_N: float = result("Equivalent load, V·⟨Qᵖ⟩^(1/p).", symbol="P")
-    peak_ring_force_N: float = result(
-        "Largest resultant of the ring's forces on the satellite, W·√(1 + ρ²).", symbol="F_r"
-    )
-    basic_life_h: Maybe[float] = result(
-        "Life that 90 % of such bearings reach, (C/P)ᵖ million turns.", symbol="L_10h"
-    )
-    life_h: Maybe[float] = result("Life at the requested reliability.", symbol="L_nh")
-    static_safety_factor: Maybe[float] = result(
-        "Static load rating over the largest load at the peak torque.", symbol="S₀"
-    )
 
-
-class SatelliteBearingResponse(DocumentResponse):
+class SatelliteBearingResponse(DocumentResponse, of=SatelliteBearings, without=OF_EACH):
     """Loads and lives of the satellites' bearings."""
 
     forces: ForcesUsed = forces_used()
-    relative_speed_rpm: float = result(
-        "Speed of a bearing's inner ring relative to its outer ring, n₁·(1 + 1/u).", symbol="n"
-    )
-    radial_force_ratio: float = result(
-        "Force of the ring along the crank over that across it; positive towards the axis.",
-        symbol="ρ",
-    )
-    operating_pressure_angle_deg: Maybe[float] = result(
-        "Operating pressure angle of involute teeth.", symbol="α_w"
-    )
     satellites: list[SatelliteBearingOut]
-    system_life_h: Maybe[float] = result(
-        "Life that such reducers reach at the requested reliability without a failure of any "
-        "satellite bearing, if the Weibull slope is given.",
-        symbol="L_s",
-    )
-    accuracy: AccuracyOut
-    warnings: Maybe[list[WarningOut]] = None
 
     @classmethod
     def values(
@@ -111,9 +83,9 @@ class SatelliteBearingResponse(DocumentResponse):
         """Values of the core's arrays, a row for each satellite."""
         carries = result.peak_load > 0
         columns = {}
-        for name, field in COLUMNS.items():
+        for name in SatelliteBearingOut.model_fields:
             with suppress(NotKnown):
-                known = np.where(carries, getattr(result, field), 0.0)
+                known = np.where(carries, getattr(result, core_name(name)), 0.0)
                 columns[name] = from_si(name, known).tolist()
         rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
         for row, loaded in zip(rows, carries.tolist(), strict=True):
@@ -123,15 +95,6 @@ class SatelliteBearingResponse(DocumentResponse):
         return super().values(result, run_time_us, satellites=rows, **given)
 
 
-COLUMNS = {
-    "peak_load_N": "peak_load",
-    "min_load_N": "min_load",
-    "equivalent_load_N": "equivalent_load",
-    "peak_ring_force_N": "peak_ring_force",
-    "basic_life_h": "basic_life",
-    "life_h": "life",
-    "static_safety_factor": "static_safety_factor",
-}
 ENDLESS = ("basic_life_h", "life_h", "static_safety_factor")
 """Values that the bearing of an unloaded satellite does not have."""
 

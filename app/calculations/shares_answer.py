@@ -8,19 +8,11 @@ from app.model import Maybe, ResponseModel, Values, present, result, warning
 from app.units import from_si, shown_unit
 from core.checks.check import STATUSES, Check, Status
 from core.checks.records import CHECKS
-from core.checks.shares import DiscShares, ShareModel, ShareReason
+from core.checks.shares import DiscShare, DiscShares, ShareModel, ShareReason
 
 
-class DiscShareOut(ResponseModel):
+class DiscShareOut(ResponseModel, of=DiscShare):
     """Share of one satellite."""
-
-    satellite: int = result("Number of the satellite, from 1.")
-    torque_Nm: float = result(
-        "Mean torque of the satellite over the turn, under the torque without the application "
-        "factor."
-    )
-    share: float = result("Mean torque of the satellite over the whole torque.")
-    share_at_peak: float = result("Share of the satellite at the crank angle of the largest force.")
 
 
 class EvenOut(ResponseModel):

@@ -9,6 +9,7 @@ from core.checks.contacts import PLASTICS
 from core.checks.crank_planetary import crank_check
 from core.design.results import Results
 from core.errors import UNKNOWN, required
+from core.fields import answer, answered
 from core.hertz import Body
 
 LOOKS, NEAR = 6, 1e-4
@@ -22,16 +23,22 @@ LASTING = 0.25
 class ColdYield:
     """First yield of a plastic pin, hole or tooth, by its least strength and largest friction."""
 
-    torque: float  # working torque at yield, N*m; the peak torque grows in proportion
-    part: Literal["contact", "teeth"]  # part of the reducer
+    torque: float = answer("Nm")
+    """Torque above which the cold plastic (23 °C) yields at the first application."""
+    part: Literal["contact", "teeth"] = answer()
+    """Part that yields: a pin or a hole (contact), or the teeth of a disc on pins whose forces are
+    known (teeth)."""
     body: Body  # body that yields
-    strength: float  # strength in the direction of the load, Pa
-    friction: float  # mu of the sliding contact
+    strength: float = answer("MPa")
+    """Strength used for the yield torque, in the direction of the load."""
+    friction: float = answer("", "μ")
+    """Friction coefficient of the sliding contact; 0 for teeth if it is not known."""
     open: tuple[str, ...]  # codes of checks that are missing for a statement over the life
 
     @property
+    @answered("Nm")
     def quarter(self) -> float:
-        """Quarter of the torque, N*m, at which the stress is half of the strength."""
+        """Quarter of that torque, at which the stress is half of the strength."""
         return LASTING * self.torque
 
 

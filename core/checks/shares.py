@@ -12,6 +12,7 @@ from core.checks.crank_planetary import crank_check
 from core.design.document import changed
 from core.design.results import Results
 from core.errors import Notice, if_known
+from core.fields import answer
 from core.output.elasticity import pin_compliance
 from core.output.room import Deviations
 
@@ -35,10 +36,15 @@ EVEN_CRANKS = 1e-9
 class DiscShare:
     """Load of one satellite."""
 
-    satellite: int  # number, from 1
-    torque: float  # mean over the turn, N*m
-    share: float  # part of the whole torque
-    share_at_peak: float  # share at the largest force
+    satellite: int = answer()
+    """Number of the satellite, from 1."""
+    torque: float = answer("Nm")
+    """Mean torque of the satellite over the turn, under the torque without the application
+    factor."""
+    share: float = answer()
+    """Mean torque of the satellite over the whole torque."""
+    share_at_peak: float = answer()
+    """Share of the satellite at the crank angle of the largest force."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, check_not_negative, check_positive
 from core.errors import InvalidInput
-from core.fields import LARGEST, quantity
+from core.fields import LARGEST, answer, answered, quantity
 from core.precision import ROUNDING
 
 
@@ -34,28 +34,35 @@ class Counterweight:
 class Correction:
     """Unbalance that balances the shaft in the plane of a bearing."""
 
-    unbalance: float  # mass times radius, kg*m
-    angle: float  # direction, counted like crank angles, rad
+    unbalance: float = answer("kg_mm", "U")
+    """Unbalance of the correction: mass times radius."""
+    angle: float = answer("deg", "α")
+    """Direction of the correction, measured like the crank angles."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Balance:
     """Centrifugal forces of satellites and counterweights on the shaft."""
 
-    unbalance: float  # remaining mass times radius, kg*m
-    force: float  # centrifugal force of the unbalance, N
-    couple: float  # couple about the middle of the bearings, N*m
-    grade: float  # speed of the centre of the turning masses about the axis, m/s
+    unbalance: float = answer("kg_mm", "U")
+    """Residual unbalance: mass times radius."""
+    force: float = answer("N", "F")
+    """Centrifugal force of the residual unbalance, U·ω₁²."""
+    couple: float = answer("Nm", "M")
+    """Couple of the residual unbalance about the middle of the bearings."""
+    grade: float = answer("mm_per_s", "G")
+    """Speed of the rotor's centre of mass about the axis, U·ω₁/M."""
     # Reaction of each bearing, N: real part along the direction of crank angle 0, imaginary part a
     # right angle ahead of it.
     reaction: tuple[complex, complex]
     rounding: float  # rounding error of each reaction, N
-    # Corrections in the planes of both bearings, which balance the force and the couple.
-    corrections: tuple[Correction, Correction]
+    corrections: tuple[Correction, Correction] = answer()
+    """Corrections in the planes of both bearings, which balance the force and the couple."""
 
     @property
+    @answered("N")
     def bearing_force(self) -> tuple[float, float]:
-        """Sizes of the reactions, N."""
+        """Magnitude of each bearing's reaction to the residual unbalance."""
         first, last = self.reaction
         return abs(first), abs(last)
 

@@ -26,6 +26,7 @@ from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import BearingCurves, made_parts, uneven_shares
 from core.errors import Accuracy, Notice, poorly_known
+from core.fields import answer
 from core.output.ideal_turn import ideal_turn
 from core.output.mechanism import Mechanism
 from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
@@ -43,9 +44,10 @@ class Crankshaft:
     # Time that 90 % of such bearings reach, s, by the bearing, 0 or 1; only for bearings that are
     # loaded and whose rating and speed are known.
     basic_life: dict[int, float]
-    balance: Balance | None  # None without mass and speed
-    accuracy: Accuracy  # error of the balance is over the sum of the sizes of its forces
-    notices: tuple[Notice, ...]  # notices of the ring mesh, and of poorly known results
+    balance: Balance | None = answer()
+    """Balance of satellites and counterweights; absent without masses or a speed."""
+    accuracy: Accuracy = answer()
+    notices: tuple[Notice, ...] = answer()
 
 
 def crankshaft(

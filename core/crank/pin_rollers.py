@@ -13,6 +13,7 @@ import numpy as np
 from core.arrays import check_positive
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.errors import Accuracy, Notice, poorly_known, required
+from core.fields import answer, answered
 from core.output.contact_force import force_peak
 from core.output.ideal_turn import ideal_turn
 from core.output.mechanism import Mechanism
@@ -62,7 +63,7 @@ def unsupported_shares(*, kind: Bearing, elements: int | None) -> tuple[float, f
     return min(dynamic, 1.0), min(5 / elements, 1.0)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PinRollers:
     """Loads, ratings and life of the most loaded roller on the pins.
 
@@ -74,43 +75,53 @@ class PinRollers:
     waves_per_turn: float  # turns of the crank against the output link per turn of the crank
     eccentricity: float  # e, m
     pin_radius: float  # outer radius r_s, m
-    peak_load: float  # largest F of a roller over the turn, N
-    static_load: float  # largest F at the peak torque, N
-    equivalent_load: float  # <F^p>^(1/p) over the turn, N
+    peak_load: float = answer("N", "F")
+    """Largest load of a roller over the turn."""
+    static_load: float = answer("N", "F_max")
+    """Largest load of a roller at the peak torque."""
+    equivalent_load: float = answer("N", "P")
+    """Equivalent load, ⟨Fᵖ⟩^(1/p) over the turn."""
     shares: tuple[float, float]  # C_w/C and C_0w/C0
     dynamic_rating: float | None  # C, N
     static_rating: float | None  # C0, N
-    satellite: int  # satellite with the largest equivalent load, from 1
-    pin: int  # pin with the largest equivalent load, from 1
-    accuracy: Accuracy  # accuracy of the loads; the error of the life is p times as large
-    notices: tuple[Notice, ...]
+    satellite: int = answer()
+    """Number of the satellite whose roller has the largest load, from 1."""
+    pin: int = answer()
+    """Number of the pin whose roller has the largest load, from 1."""
+    accuracy: Accuracy = answer()
+    notices: tuple[Notice, ...] = answer()
 
     @property
+    @answered("rpm", "n_s", optional=True)
     def speed(self) -> float:
-        """Speed n_s of the outer ring on its pin, rad/s."""
+        """Speed of an outer ring on its pin, n·e/r_s; absent without an input speed."""
         speed = required(self.input_speed, "speed_missing", "load.input_speed")
         return speed * self.waves_per_turn * self.eccentricity / self.pin_radius
 
     @property
+    @answered("N", "C_w", optional=True)
     def dynamic_rating_as_roller(self) -> float:
-        """Dynamic rating C_w of the bearing as a roller, N."""
+        """Dynamic load rating without a seat around the outer ring."""
         return self.shares[0] * required(self.dynamic_rating, "rating_unknown")
 
     @property
+    @answered("N", "C_0w", optional=True)
     def static_rating_as_roller(self) -> float:
-        """Static rating C_0w of the bearing as a roller, N."""
+        """Static load rating without a seat around the outer ring."""
         return self.shares[1] * required(self.static_rating, "rating_unknown")
 
     @property
+    @answered("h", "L_10h", optional=True)
     def life(self) -> float:
-        """Time that 90 % of such rollers reach, s."""
+        """Life that 90 % of such rollers reach, (C_w/P)ᵖ million turns."""
         rating = self.dynamic_rating_as_roller
         turns = 1e6 * rating_life(load=self.equivalent_load, rating=rating, kind=self.elements)
         return float(turns * 2 * math.pi / self.speed)
 
     @property
+    @answered("", "S₀", optional=True)
     def static_safety_factor(self) -> float:
-        """C_0w over the largest load at the peak torque."""
+        """Static load rating without a seat over the load at the peak torque."""
         return self.static_rating_as_roller / self.static_load
 
 

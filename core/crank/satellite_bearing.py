@@ -39,6 +39,7 @@ from core.crank.bearing_life import (
 )
 from core.crank.ring_mesh import RingMesh
 from core.errors import Accuracy, Notice, NotKnown, derived, is_known, poorly_known, required
+from core.fields import answer, answered
 from core.output.contact_force import force_ratios
 from core.output.ideal_turn import ideal_turn
 from core.output.mechanism import Mechanism, pressure_cosines
@@ -46,7 +47,7 @@ from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
 from core.precision import ROUNDING, SEARCHED
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class SatelliteBearings:
     """Load and life of the satellites' bearings; the last axis of arrays counts the K satellites.
 
@@ -55,14 +56,17 @@ class SatelliteBearings:
 
     given_speed: Number | None  # speed of a bearing's rings against each other, rad/s
     mesh: RingMesh  # the ring's force along the crank
-    # rho of the ring's force along the crank to that across it; the mean over the turn where the
-    # mesh of the ring is solved.
-    radial_force_ratio: Number
-    peak_load: FloatArray  # largest over the turn, N, shape (..., K)
-    min_load: FloatArray  # least over the turn, with the smaller share, N, shape (..., K)
-    equivalent_load: FloatArray  # P, ring factor V included, N, shape (..., K)
+    radial_force_ratio: Number = answer("", "ρ")
+    """Force of the ring along the crank over that across it; positive towards the axis."""
+    peak_load: FloatArray = answer("N", "Q_max", depth=0)
+    """Largest load over the turn."""
+    min_load: FloatArray = answer("N", "Q_min", depth=0)
+    """Least load over the turn."""
+    equivalent_load: FloatArray = answer("N", "P", depth=0)
+    """Equivalent load, V·⟨Qᵖ⟩^(1/p)."""
     lesser_load: FloatArray  # P with the smaller share of the torque, N, shape (..., K)
-    peak_ring_force: FloatArray  # largest force of the ring on each satellite, N, shape (..., K)
+    peak_ring_force: FloatArray = answer("N", "F_r", depth=0)
+    """Largest resultant of the ring's forces on the satellite, W·√(1 + ρ²)."""
     static_loads: Callable[[], FloatArray]  # largest at the peak torque, N, shape (..., K)
     kind: Bearing  # rolling elements
     dynamic_rating: Number | None  # C, N
@@ -70,16 +74,18 @@ class SatelliteBearings:
     reliability_percent: float  # required reliability
     weibull_slope: Number | None  # slope beta of the distribution of lives
     load_accuracy: Accuracy  # accuracy of loads over those of the most loaded satellite
-    notices: tuple[Notice, ...]  # notices of the ring, idle satellites and poorly known results
+    notices: tuple[Notice, ...] = answer()
 
     @property
+    @answered("deg", "α_w", optional=True)
     def operating_pressure_angle(self) -> Number:
-        """Operating pressure angle alpha_w of involute teeth, rad."""
+        """Operating pressure angle of involute teeth."""
         return self.mesh.operating_pressure_angle
 
     @property
+    @answered("rpm", "n")
     def relative_speed(self) -> Number:
-        """Speed of a bearing's rings against each other, rad/s."""
+        """Speed of a bearing's inner ring relative to its outer ring, n₁·(1 + 1/u)."""
         return required(self.given_speed, "speed_missing", "load.input_speed")
 
     @property
@@ -95,33 +101,40 @@ class SatelliteBearings:
         return _lives(load, rating=rating, kind=self.kind)
 
     @derived
+    @answered("h", "L_10h", optional=True, depth=0)
     def basic_life(self) -> FloatArray:
-        """Time that 90 % of such bearings reach, s, shape (..., K); infinite if unloaded."""
+        """Life that 90 % of such bearings reach, (C/P)ᵖ million turns."""
         turns = self._turns(self.equivalent_load)
         return self._turning * turns
 
     @derived
+    @answered("h", "L_nh", optional=True, depth=0)
     def life(self) -> FloatArray:
-        """Life at the required reliability, s, shape (..., K)."""
+        """Life at the requested reliability."""
         return reliability_factor(percent=self.reliability_percent) * self.basic_life
 
     @derived
+    @answered("", "S₀", optional=True, depth=0)
     def static_safety_factor(self) -> FloatArray:
-        """Static rating over largest load, shape (..., K); infinite for an unloaded bearing."""
+        """Static load rating over the largest load at the peak torque."""
         given = required(self.static_rating, "rating_unknown", "bearing.static_rating")
         check_positive(static_rating=given)
         static, rating = self.static_loads(), np.asarray(given, dtype=np.float64)[..., None]
         return np.where(static > 0, rating / np.where(static > 0, static, rating), math.inf)
 
     @derived
+    @answered("h", "L_s", optional=True)
     def system_life(self) -> Number:
-        """Life of all bearings together at the required reliability, s, shape (...)."""
+        """Life that such reducers reach at the requested reliability without a failure of any
+        satellite bearing, if the Weibull slope is given.
+        """
         life = self.life  # comes first, so that a life that is not known gives its own reason
         slope = required(self.weibull_slope, "rating_unknown", "bearing.weibull_slope")
         factor = reliability_factor(percent=self.reliability_percent)
         return _together(life, factor * self._turning * self._turns(self.lesser_load), slope)
 
     @derived
+    @answered()
     def accuracy(self) -> Accuracy:
         """Accuracy of all numbers over those of the most loaded satellite; lives multiply the error
         of the loads by their exponent.

@@ -7,6 +7,7 @@ import numpy as np
 
 from core.arrays import FloatArray, check_finite, check_single
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
+from core.fields import answer, answered
 from core.hertz import HertzContact
 from core.output.elasticity import HertzLaw
 from core.output.real_mechanism import RealMechanism
@@ -19,30 +20,40 @@ DEPTHS = 0.5, 1.5
 """Range of the reference depth, over the hole's radius, in which a half-space stands for a hole."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class LoadedPosition:
     """Mechanism at one crank angle under load."""
 
-    crank_angle: float  # crank angle as given, rad
-    rotation: float  # lag of the output behind its ideal angle, rad; negative in reverse
-    force: tuple[tuple[float, ...], ...]  # force of each pair, N, K x N
-    # Share of each satellite in the torque, N*m, K values; negative where others drag a satellite.
-    satellite_torque: tuple[float, ...]
-    # Lag of the output behind each satellite, rad, K values, where these turn against each other.
-    satellite_rotation: tuple[float, ...] | None
-    loaded_pairs: int  # number of pairs with a force
-    # Least and largest lag of the unloaded output, rad; None where pairs press without load.
-    play: tuple[float, float] | None
-    # Smallest possible worst approach of the unloaded pairs, m, where they press.
-    interference: float | None
-    stiffness: float  # dT/dtheta, N*m/rad
+    crank_angle: float = answer("deg", "φ")
+    """Crank angle."""
+    rotation: float = answer("arcmin", "θ")
+    """Lag of the output behind its ideal angle, including clearance; negative in reverse."""
+    force: tuple[tuple[float, ...], ...] = answer("N", "F_jn", "ΣF·h = T")
+    """Force of each pair, as one list per satellite."""
+    satellite_torque: tuple[float, ...] = answer("Nm", "T_j")
+    """Torque that each satellite contributes; negative if other satellites drag it."""
+    satellite_rotation: tuple[float, ...] | None = answer("arcmin", "θ_j")
+    """Lag of the output behind each satellite, if satellites turn relative to each other."""
+    loaded_pairs: int = answer()
+    """Number of pairs with a force."""
+    play: tuple[float, float] | None = answer("arcmin", "θ₋, θ₊")
+    """Least and largest lag of the unloaded output; absent if pairs press without load."""
+    interference: float | None = answer("mm", "δ")
+    """Least possible value of the largest approach of the unloaded pairs, if pairs press without
+    load."""
+    stiffness: float = answer("Nm_per_arcmin", "dT/dθ")
+    """Torque over rotation of the output mechanism alone, or of both meshes in series."""
     contacts: tuple[HertzContact, ...]  # hardest contact in each direction of the torque
     accuracy: Accuracy  # error of the forces over the largest force
     notices: tuple[Notice, ...]
 
     @property
+    @answered("MPa", "p_0", "Johnson 4.2", optional=True)
     def max_pressure(self) -> float:
-        """Largest pressure, Pa."""
+        """Largest pressure of the pairs as it is judged, by Hertz or by the conformal contact; with
+        an alternating torque the largest of both directions. The value is absent if it is not
+        known.
+        """
         return float(max(each.governing_pressure for each in self.contacts))
 
 

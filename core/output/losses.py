@@ -21,6 +21,7 @@ import numpy as np
 
 from core.arrays import FloatArray, Number, check_not_negative, check_positive, every, refuse
 from core.errors import Accuracy, Notice, NotKnown, poorly_known, required
+from core.fields import answer, answered
 from core.numerics.extremes import zoom
 from core.numerics.quadrature import tanh_sinh_rule
 from core.output.contact_force import PHASE_ROUNDING, force_peak, force_ratios
@@ -266,40 +267,58 @@ class Sleeves:
         raise NotKnown("wear_unknown")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PinLosses:
     """Friction of the pins in the holes, or on their sleeves."""
 
-    relative_speed: Number  # w of the crank against the output link, rad/s
-    sliding_speed: Number  # v of the pin in the hole, or in its sleeve, m/s
-    sleeve_speed: Number | None  # speed of sleeves against their pins, rad/s; None of bare pins
-    output_power: Number  # W
-    mean_total_force_ratio: Number  # mean sum of all contact forces over F0
-    mean_loss: Number  # power that friction takes, W
-    efficiency: Number  # output over output and loss, of the means
-    min_efficiency: Number  # least over the turn
-    max_efficiency: Number  # largest over the turn
-    peak_force: Number  # N
-    peak_pv: Number  # pressure on projected area times speed, under the largest force, Pa*m/s
-    mean_pv: Number  # pv under the mean force of all pairs over the turn, Pa*m/s
-    # Couple of the friction over the output torque, which this couple helps to carry: the loss is
-    # too large by about this share.
-    friction_couple: Number
+    relative_speed: Number = answer("rpm", "n")
+    """Speed of the crank relative to the pins, n₁·(1 + 1/u)."""
+    sliding_speed: Number = answer("m_per_s", "v")
+    """Sliding speed of the pin in the hole, e·ω, or of the pin in its sleeve, e·ω·r_p/r_s."""
+    sleeve_speed: Number | None = answer("rpm", "n_s")
+    """Speed of the sleeves relative to their pins, n·e/r_s."""
+    output_power: Number = answer("W", "P₂")
+    """Power of the output, T·ω₁/u."""
+    mean_total_force_ratio: Number = answer("", "⟨ΣF⟩/F₀")
+    """Mean over the turn of the sum of all contact forces, over F₀ = T/R; 4/π for linear contacts
+    and an even number of evenly spaced phases."""
+    mean_loss: Number = answer("W", "P")
+    """Mean power loss over the turn, of μ·v·ΣF."""
+    efficiency: Number = answer("", "η")
+    """Efficiency of the output mechanism alone, P₂/(P₂ + P) with the mean loss."""
+    min_efficiency: Number = answer("", "η_min")
+    """Least efficiency over the turn."""
+    max_efficiency: Number = answer("", "η_max")
+    """Largest efficiency over the turn."""
+    peak_force: Number = answer("N", "F_max")
+    """Largest contact force over the turn."""
+    peak_pv: Number = answer("MPa_m_per_s", "(pv)_max")
+    """Largest force over the projected area 2·r·b, times e·ω, as in the limits of bushes. A bare
+    pin touches its wider hole along a narrow strip, where the value is higher."""
+    mean_pv: Number = answer("MPa_m_per_s", "(pv)_m")
+    """Mean force of all pairs over the turn over the projected area 2·r·b, times e·ω."""
+    friction_couple: Number = answer("", "ΔP/P")
+    """Share of the torque that friction itself carries on the mean, μ·r·⟨ΣF⟩/T: to the first order
+    the loss is too large by this share."""
     wear_rate: Number | None  # k, m^2/N, where it is given
     rubbed: Number  # way that rubs over the life, over 2*pi and the contact's length, dimensionless
     pin_radius: Number  # radius that touches the hole, m
     rubbing: BarePins | Sleeves  # bare pins, or pins with sleeves
-    accuracy: Accuracy
-    notices: tuple[Notice, ...]  # results that are hardly known
+    accuracy: Accuracy = answer()
+    notices: tuple[Notice, ...] = answer()
 
     @property
+    @answered("mm", "h_in", optional=True)
     def pin_wear(self) -> Number:
-        """Largest depth of wear of the pin, m; `NotKnown` without a wear rate."""
+        """Largest depth of wear of the pin, k·F_max·e/(b·r) per turn of the relative speed."""
         return self._worn / self.pin_radius
 
     @property
+    @answered("mm", "h_out", optional=True)
     def hole_wear(self) -> Number:
-        """Depth of wear of the hole, m; `NotKnown` with sleeves or without a wear rate."""
+        """Largest depth of wear of the hole, k·F_max·e/(b·r_out) per turn of the relative speed;
+        absent with sleeves, which roll in the hole.
+        """
         return self.rubbing.hole_wear(self._worn)
 
     @property
@@ -433,9 +452,12 @@ def pin_losses(
 class LossCurves:
     """Loss and efficiency over the turn."""
 
-    crank_angle: FloatArray  # rad, shape (n,)
-    loss: FloatArray  # power that friction takes, W, shape (n,)
-    efficiency: FloatArray  # output over output and loss, shape (n,)
+    crank_angle: FloatArray = answer("deg", "φ")
+    """Crank angles, evenly spaced."""
+    loss: FloatArray = answer("W", "P")
+    """Power loss by friction, μ·v·ΣF."""
+    efficiency: FloatArray = answer("", "η")
+    """Output power over the sum of output power and loss."""
 
 
 def loss_curves(

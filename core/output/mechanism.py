@@ -32,6 +32,7 @@ from numpy.typing import NDArray
 
 from core.arrays import FloatArray, Number, check_positive, check_single
 from core.errors import Accuracy, InvalidInput, Notice, required
+from core.fields import answer, answered
 from core.precision import AS_TYPED, ROUNDING, SAME
 
 MAX_SATELLITES = 100
@@ -381,10 +382,16 @@ class MemberLoads:
     The torque acts in its driving sense. Powers raise `NotKnown` if no speed is given.
     """
 
-    output_ratio: float | None  # i = w_1/w_out, < 0 if the senses differ; None for both
-    pin_torque: float  # T_c, N*m; all torques are positive in the crank's sense
-    crank_torque: float  # T_1, N*m
-    ring_torque: float  # T_r, N*m
+    output_ratio: float | None = answer("", "i")
+    """Speed of the crank over that of the output, negative if they turn in opposite directions;
+    ratio of the shafts of a coupling; absent if ring and pins are both outputs."""
+    pin_torque: float = answer("Nm", "T")
+    """Torque on the pins."""
+    crank_torque: float = answer("Nm", "T₁", "T/u")
+    """Torque on the crank of a reducer without losses; the motor has to supply the losses as
+    well."""
+    ring_torque: float = answer("Nm", "T_r", "−T·(1 + 1/u)")
+    """Torque on the ring."""
     given_speeds: MemberSpeeds | None = None  # speeds of all members, if one is known
     accuracy: Accuracy = CLOSED
 
@@ -394,23 +401,27 @@ class MemberLoads:
         return required(self.given_speeds, "speed_missing", "load.input_speed")
 
     @property
+    @answered("W", "P₁", optional=True)
     def crank_power(self) -> float:
-        """Power that enters by the crank, W."""
+        """Power that enters by the crank."""
         return self.crank_torque * self.speeds.crank
 
     @property
+    @answered("W", "P_c", optional=True)
     def carrier_power(self) -> float:
-        """Power that enters by the pins, W, negative if it leaves there."""
+        """Power that enters by the pins."""
         return self.pin_torque * self.speeds.carrier
 
     @property
+    @answered("W", "P_r", optional=True)
     def ring_power(self) -> float:
-        """Power that enters by the ring, W, negative if it leaves there."""
+        """Power that enters by the ring."""
         return self.ring_torque * self.speeds.ring
 
     @property
+    @answered("W", optional=True)
     def power_balance(self) -> float:
-        """Sum of the powers, W: 0 except for rounding."""
+        """Sum of the powers, which is 0 within rounding."""
         return math.fsum(self._powers)
 
     @property

@@ -16,6 +16,7 @@ import numpy as np
 from core.arrays import check_finite, check_single
 from core.drive.engine import HIGH, INPUT_TORQUE, LAG, LOST, PLAY, STIFFNESS
 from core.errors import Accuracy, InvalidInput, Notice, derived, poorly_known
+from core.fields import answered
 from core.hertz import HertzContact
 from core.numerics.extremes import second_look
 from core.output.contact_force import PairNumber
@@ -105,23 +106,27 @@ class OverTurn:
         )
 
     @property
+    @answered("N", "F_max")
     def peak_force(self) -> float:
-        """Largest force F_max of all pairs over the turn, N."""
+        """Largest force of all pairs over the turn."""
         return self._peak.force
 
     @property
+    @answered("", "f")
     def peak_force_ratio(self) -> float:
-        """Largest force over the reference force, F_max/F0 with F0 = T/R."""
+        """Largest force of all pairs over F₀ = T/R."""
         return self.peak_force * self.real.pin_circle_radius / abs(self.turn.torque)
 
     @property
+    @answered("deg", "φ")
     def peak_crank_angle(self) -> float:
-        """First crank angle >= 0 of the largest force, rad."""
+        """First crank angle with the largest force."""
         return self._peak.crank_angle
 
     @property
+    @answered()
     def peak_pair(self) -> PairNumber:
-        """Pair that carries the largest force."""
+        """Pair with the largest force at that crank angle."""
         satellite, pin = divmod(self._peak.pair, self.real.mechanism.pins)
         return PairNumber(satellite + 1, pin + 1)
 
@@ -171,8 +176,11 @@ class OverTurn:
         return pair, force * float(self._hertz_pressure / contact.max_pressure) ** 2
 
     @derived
+    @answered("MPa", "p_0", "Johnson 4.2", optional=True)
     def max_pressure(self) -> float:
-        """Largest contact pressure over the turn, Pa."""
+        """Largest pressure over the turn as it is judged, by Hertz or by the conformal contact. The
+        value is absent if it is not known.
+        """
         if self._wraps:
             return float(self.real.contact(*self.hardest).governing_pressure)
         return self._hertz_pressure
@@ -202,13 +210,18 @@ class OverTurn:
         return self._extreme(name, kind) - self._extreme(name, kind, -1)
 
     @derived
+    @answered("arcmin", "θ₊ − θ₋")
     def backlash_max(self) -> float:
-        """Largest play of the unloaded output over the turn, rad; 0 if pairs press without load."""
+        """Largest play of the unloaded output over the turn, 0 if pairs press without load. For one
+        satellite, a uniform clearance c much smaller than the eccentricity and an even number of
+        pins it is about 2c/(R·cos(π/N)).
+        """
         return self._extreme("backlash", PLAY)
 
     @derived
+    @answered("arcmin", "θ₊ − θ₋")
     def backlash_min(self) -> float:
-        """Least play of the unloaded output over the turn, rad."""
+        """Least play of the unloaded output over the turn."""
         return self._extreme("backlash", PLAY, -1) + 0.0
 
     def _by_values(self, kind: int, sign: int = 1) -> float:
@@ -220,8 +233,9 @@ class OverTurn:
         return sign * self._highest(fine, again, kind, sign).height
 
     @derived
+    @answered("arcmin", "", "θ(+3 % T) − θ(−3 % T)")
     def lost_motion(self) -> float:
-        """Largest sum of the angular deflections under a share of the torque both ways, rad."""
+        """Largest rotation of the output between the two directions of a share of the torque."""
         return self._by_values(LOST)
 
     @derived
@@ -230,29 +244,36 @@ class OverTurn:
         return self._extreme("lag", LAG), self._extreme("lag", LAG, -1)
 
     @property
+    @answered("arcmin", "TE")
     def transmission_error(self) -> float:
-        """Largest less least angular deflection under load over the turn, rad."""
+        """Transmission error under load: largest less least lag over the turn."""
         high, low = self.lags
         return high - low
 
     @property
+    @answered()
     def pressed_without_load(self) -> bool:
-        """True if pairs press without load at any position."""
+        """True if pairs press without load at any crank angle."""
         return bool(self.turn.fine["pressed"].any())
 
     @derived
+    @answered("arcmin", "TE₀")
     def unloaded_transmission_error(self) -> float:
-        """Largest less least lag at the first contact, rad; 0 if pairs press without load."""
+        """Transmission error without load: largest less least lag over the turn at which the first
+        pair touches.
+        """
         return 0.0 if self.pressed_without_load else self._spread("high", HIGH)
 
     @derived
+    @answered("Nm_per_arcmin", "dT/dθ")
     def stiffness_max(self) -> float:
-        """Largest torsional stiffness over the turn, N*m/rad."""
+        """Largest torsional stiffness over the turn."""
         return self._extreme("stiffness", STIFFNESS)
 
     @derived
+    @answered("Nm_per_arcmin", "dT/dθ")
     def stiffness_min(self) -> float:
-        """Least torsional stiffness over the turn, N*m/rad."""
+        """Least torsional stiffness over the turn."""
         return self._extreme("stiffness", STIFFNESS, -1)
 
     @derived
@@ -283,18 +304,23 @@ class OverTurn:
         return least, most
 
     @property
+    @answered()
     def loaded_pairs_min(self) -> int:
-        """Least number of pairs that carry at once."""
+        """Least number of pairs with a force."""
         return self._loaded[0]
 
     @property
+    @answered()
     def loaded_pairs_max(self) -> int:
-        """Largest number of pairs that carry at once, for longer than about a step of the grid."""
+        """Largest number of pairs with a force."""
         return self._loaded[1]
 
     @derived
+    @answered("Nm", "", "T/u + (1 + 1/u)·ΣF·∂δ/∂ψ")
     def input_torque_ripple(self) -> float:
-        """Largest less least torque of the crank over the turn, without friction, N*m."""
+        """Ripple of the input torque without friction: largest less least torque that turns the
+        crank.
+        """
         return self._spread("input_torque", INPUT_TORQUE)
 
     @property

@@ -8,25 +8,32 @@ import numpy as np
 
 from core.arrays import FloatArray, check_single
 from core.errors import Accuracy, InvalidInput
+from core.fields import answer
 from core.output.mechanism import Members
 from core.output.stage import Stage
 from core.precision import EXACT
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class RealCurves:
     """Mechanism under load at crank angles."""
 
-    crank_angle: FloatArray  # rad, shape (M,)
-    force: FloatArray  # N, shape (K*N, M), satellite by satellite
-    rotation: FloatArray  # angular deflection of the output under the torque, rad, shape (M,)
-    reverse_rotation: FloatArray  # deflection under the opposite torque, rad, shape (M,)
-    # Limits of the play of the unloaded output, rad, shape (M,); both are their middle if pairs
-    # press without load.
-    play_from: FloatArray
-    play_to: FloatArray  # rad, shape (M,)
-    stiffness: FloatArray  # slope of torque over rotation, N*m/rad, shape (M,)
-    input_torque: FloatArray  # torque of the crank without friction, N*m, shape (M,)
+    crank_angle: FloatArray = answer("deg", "φ")
+    """Crank angles of the curves."""
+    force: FloatArray = answer("N", "F_jn", depth=2)
+    """Forces over the crank angles, as one list per pair."""
+    rotation: FloatArray = answer("arcmin", "θ")
+    """Lag of the output under the torque."""
+    reverse_rotation: FloatArray = answer("arcmin", "θ")
+    """Lag of the output under the torque in the opposite direction."""
+    play_from: FloatArray = answer("arcmin", "θ₋")
+    """Least lag of the unloaded output."""
+    play_to: FloatArray = answer("arcmin", "θ₊")
+    """Largest lag of the unloaded output."""
+    stiffness: FloatArray = answer("Nm_per_arcmin", "dT/dθ")
+    """Torsional stiffness: slope of the torque over the rotation."""
+    input_torque: FloatArray = answer("Nm", "T₁")
+    """Torque that turns the crank, without friction."""
     accuracy: Accuracy  # error of the forces over the largest
 
     def at_output(self, members: Members) -> "RealCurves":
@@ -71,14 +78,18 @@ def real_curves(*, real: Stage, crank_angle: FloatArray, output_torque: float) -
     )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class StiffnessCurve:
     """Angular deflection over torque at one crank angle."""
 
-    crank_angle: float  # rad
-    torque: tuple[float, ...]  # N*m, shape (M,)
-    rotation: tuple[float, ...]  # angular deflection under each torque, rad, shape (M,)
-    stiffness: tuple[float, ...]  # slope of torque over rotation, N*m/rad, shape (M,)
+    crank_angle: float = answer("deg", "φ")
+    """Crank angle of the curve."""
+    torque: tuple[float, ...] = answer("Nm", "T")
+    """Torques of the curve, negative in reverse."""
+    rotation: tuple[float, ...] = answer("arcmin", "θ")
+    """Lag of the output under each torque."""
+    stiffness: tuple[float, ...] = answer("Nm_per_arcmin", "dT/dθ")
+    """Torsional stiffness at each torque."""
     accuracy: Accuracy  # error of the rotations over the largest
 
     def at_output(self, members: Members) -> "StiffnessCurve":
@@ -105,9 +116,9 @@ def stiffness_curve(*, real: Stage, crank_angle: float, torques: Sequence[float]
         found.append(real.solved([psi], torque))
     lags = np.array([float(each.lag[0]) for each in found])
     return StiffnessCurve(
-        crank_angle,
-        tuple(torques),
-        tuple((np.sign(torques) * lags).tolist()),
-        tuple(float(each.stiffness[0]) for each in found),
-        Accuracy("newton_bracket", EXACT, sum(each.steps for each in found)),
+        crank_angle=crank_angle,
+        torque=tuple(torques),
+        rotation=tuple((np.sign(torques) * lags).tolist()),
+        stiffness=tuple(float(each.stiffness[0]) for each in found),
+        accuracy=Accuracy("newton_bracket", EXACT, sum(each.steps for each in found)),
     )

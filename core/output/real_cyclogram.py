@@ -13,6 +13,7 @@ import numpy as np
 
 from core.arrays import BoolArray, FloatArray, IntArray
 from core.errors import Accuracy
+from core.fields import answer
 from core.output.contact_force import CountInterval, DrivingPair
 from core.output.mechanism import Mechanism
 from core.output.turn import Turn
@@ -34,11 +35,12 @@ class Ends(NamedTuple):
     carries: BoolArray  # True for pairs that carry at the first place, shape (K*N,)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class RealCyclogram:
     """Pairs that carry under a torque over a range of crank angles."""
 
-    period: float  # crank angle after which each pair carries again, rad
+    period: float = answer("deg")
+    """Crank angle after which the same pairs carry again."""
     # All pairs, disc by disc, and the crank angles from and to which each carries, rad, cut at the
     # ends of the range.
     pairs: tuple[DrivingPair, ...]
@@ -46,8 +48,9 @@ class RealCyclogram:
     loaded_count: tuple[CountInterval, ...]
     min_loaded: int  # least number of pairs over the range
     max_loaded: int  # largest number
-    step: float  # step of the grid in crank angle, rad; shorter intervals may be missed
-    accuracy: Accuracy  # error of the ends over the period
+    step: float = answer("deg")
+    """Step of the search in crank angle; shorter ranges may be missed."""
+    accuracy: Accuracy = answer()
 
 
 def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:

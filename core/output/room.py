@@ -18,7 +18,7 @@ import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, IntArray, check_finite
 from core.errors import ImpossibleMechanism, InvalidInput
-from core.fields import quantity
+from core.fields import answer, quantity
 from core.numerics.extremes import zoom
 from core.output.mechanism import MAX_SATELLITES, Mechanism
 from core.precision import AS_TYPED, ROUNDING
@@ -220,9 +220,13 @@ class Binding:
 class DiscRoom:
     """Room of one satellite by itself."""
 
-    satellite: int  # from 1
-    least_room: float  # least room over the turn, m
-    turned: float  # holes ahead of the pins, rad, by least squares
+    satellite: int = answer("", "j")
+    """Number of the satellite, from 1."""
+    least_room: float = answer("mm")
+    """Least room of the satellite over the turn."""
+    turned: float = answer("deg")
+    """Angle of the holes ahead of the pins with the satellite in place, as a mean by least
+    squares."""
 
 
 class Play(NamedTuple):

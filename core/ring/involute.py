@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from core.arrays import Number, check_finite, check_positive
 from core.errors import Accuracy, InvalidInput
+from core.fields import answer, answered
 from core.precision import ROUNDING, SAME
 from core.ring.line_of_action import LineOfAction, TipCrossing, involute, roll
 
@@ -205,14 +206,16 @@ class RingFlank(NamedTuple):
     form_roll: float  # roll angle where the involute ends, rad; infinite without a cutter
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class InvolutePair:
     """Mesh of an involute planet and its ring."""
 
     teeth: InvoluteTeeth  # teeth of planet and ring
     line: LineOfAction  # line of action at the eccentricity
-    eccentricity_without_backlash: float  # e_0, m
-    normal_backlash: float  # j_n, m: below 0 the teeth press
+    eccentricity_without_backlash: float = answer("mm", "e₀")
+    """Eccentricity at which the teeth fill their spaces."""
+    normal_backlash: float = answer("mm", "j_n")
+    """Distance between the idle flanks along their normal; the teeth press if it is negative."""
     ring_flank: RingFlank
     accuracy: Accuracy
 
@@ -222,8 +225,9 @@ class InvolutePair:
         return self.ring_flank.root
 
     @property
+    @answered("arcmin", "j_n/r_bs")
     def backlash(self) -> float:
-        """Angle by which the planet can turn in the ring, rad; below 0 the teeth press."""
+        """Angle through which the satellite, and with it the output, can turn in the ring."""
         return self.normal_backlash / self.line.satellite_base
 
     @cached_property
@@ -237,24 +241,32 @@ class InvolutePair:
         return float(self.line.end_roll(self.teeth.satellite_tip))
 
     @property
+    @answered("", "ε")
     def contact_ratio(self) -> float:
-        """Contact ratio eps; below 1 the motion is not continuous."""
+        """Length of the path of contact over the base pitch."""
         return float(self.line.contact_ratio(start=self.start_roll, end=self.end_roll))
 
     @property
+    @answered()
     def pitch_point_on_path(self) -> bool:
-        """True if the pitch point lies on the path, where flanks roll without sliding."""
+        """True if the pitch point, at which the flanks roll without sliding, lies on the path of
+        contact.
+        """
         return self.start_roll <= self.line.pitch_roll <= self.end_roll
 
     @property
+    @answered("", "τ_F")
     def form_roll_satellite(self) -> float:
-        """Roll angle above which the planet's flank is an involute, rad; undercut if below 0."""
+        """Tangent of the pressure angle above which the satellite's flank is an involute; the
+        satellite is undercut if it is negative.
+        """
         shift = self.teeth.satellite_profile_shift
         return float(self.teeth.rack.form_roll(teeth=self.teeth.satellite_teeth, shift=shift))
 
     @property
+    @answered()
     def satellite_undercut(self) -> bool:
-        """True if the hob cuts away a part of the planet's involute."""
+        """True if the hob cuts away a part of the satellite's involute."""
         return self.form_roll_satellite < 0
 
     @property
@@ -264,13 +276,17 @@ class InvolutePair:
         return self.tips_apart(0.0) and self.start_roll >= self.form_roll_satellite >= 0 and whole
 
     @property
+    @answered()
     def end_roll_ring(self) -> float:
-        """Roll angle of the ring at the end of the path."""
+        """Tangent of the ring's pressure angle at the end of the path."""
         return float(self.line.on_ring(self.end_roll))
 
     @property
+    @answered()
     def form_roll_ring(self) -> float | None:
-        """Roll angle up to which the ring's flank is an involute, rad; None without a cutter."""
+        """Tangent of the pressure angle up to which the ring's flank is an involute, if the cutter
+        is given.
+        """
         return self.ring_flank.form_roll if self.ring_flank.form_roll < math.inf else None
 
     @cached_property
@@ -281,8 +297,9 @@ class InvolutePair:
         )
 
     @property
+    @answered()
     def tips_overlap_all_round(self) -> bool:
-        """True if the planet's tip circle encloses the ring's tip circle."""
+        """True if the satellite's tip circle encloses the ring's tip circle."""
         return bool(self.crossing.overlap)
 
     def tips_apart(self, room: float) -> bool:
@@ -296,43 +313,52 @@ class InvolutePair:
         return None if math.isnan(found) else found
 
     @property
+    @answered("mm")
     def tip_gap(self) -> float | None:
-        """Approximate gap between the tips at their crossing, m; None if there is no crossing."""
+        """Approximate gap between the tips at the crossing of the tip circles; absent if the
+        circles do not cross.
+        """
         if self.tip_interference is None:
             return None
         return self.tip_interference * self.teeth.ring_tip / self.teeth.ring_teeth
 
     @property
+    @answered("mm")
     def tip_clearance_satellite(self) -> float:
-        """Clearance from the planet's tip to the ring's root, m."""
+        """Clearance from the satellite's tip to the ring's root."""
         return self.ring_root - self.line.eccentricity - self.teeth.satellite_tip
 
     @property
+    @answered("mm")
     def tip_clearance_ring(self) -> float:
-        """Clearance from the ring's tip to the planet's root, m."""
+        """Clearance from the ring's tip to the satellite's root."""
         return self.teeth.ring_tip - self.line.eccentricity - self.teeth.satellite_root
 
     @property
+    @answered("mm")
     def satellite_tip_thickness(self) -> float:
-        """Thickness of the planet's teeth along the tip circle, m; below 0 they are pointed."""
+        """Thickness of the satellite's teeth at the tip circle."""
         tip = float(involute(math.atan(self.end_roll)))
         return 2 * self.teeth.satellite_tip * (self.teeth.satellite_half_angle - tip)
 
     @property
+    @answered("mm")
     def ring_tip_thickness(self) -> float:
-        """Thickness of the ring's teeth along the tip circle, m; below 0 they are pointed."""
+        """Thickness of the ring's teeth at the tip circle."""
         tip = float(involute(math.atan(roll(self.teeth.ring_tip, base=self.line.ring_base))))
         half = math.pi / self.teeth.ring_teeth - self.teeth.ring_half_angle
         return 2 * self.teeth.ring_tip * (half + tip)
 
     @property
+    @answered("mm")
     def reduced_radius_start(self) -> float | None:
-        """Reduced radius of curvature at the start of the path, m; None where it is not defined."""
+        """Radius of relative curvature at the start of the path of contact."""
         return self._reduced_radius(self.start_roll)
 
     @property
+    @answered("mm")
     def reduced_radius_end(self) -> float | None:
-        """Reduced radius of curvature at the end of the path, m; None where it is not defined."""
+        """Radius of relative curvature at the end of the path of contact."""
         return self._reduced_radius(self.end_roll)
 
     def _reduced_radius(self, at: float) -> float | None:

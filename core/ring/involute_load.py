@@ -11,6 +11,7 @@ import numpy as np
 
 from core.arrays import Number, check_positive
 from core.errors import Accuracy, NotKnown
+from core.fields import answer
 from core.hertz import ElasticMaterial, effective_modulus
 from core.precision import ROUNDING
 from core.ring.involute import InvolutePair
@@ -34,16 +35,21 @@ class PairForce:
     radial: float  # component along the crank, to the reducer's axis, N
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class RootStress:
     """Bending stress in the root of the planet's teeth with the force at the tip (ISO 6336-3)."""
 
     chord: float  # s_Fn, m
-    fillet_radius: float  # rho_F, m
-    moment_arm: float  # h_Fe, m
-    load_angle: float  # alpha_Fen of the force, rad
-    form_factor: float  # Y_F
-    stress_correction: float  # Y_S
+    fillet_radius: float = answer("mm", "ρ_F")
+    """Radius of the fillet at the critical section."""
+    moment_arm: float = answer("mm", "h_Fe")
+    """Lever arm of the force about the critical section."""
+    load_angle: float = answer("deg", "α_Fen")
+    """Angle of the force against the tooth."""
+    form_factor: float = answer("", "Y_F")
+    """Form factor, from lever arm and chord."""
+    stress_correction: float = answer("", "Y_S")
+    """Stress correction factor, from the notch."""
     stress: float  # sigma_F, Pa
 
 

@@ -12,6 +12,7 @@ from typing import Any
 
 from core.arrays import check_positive, check_single
 from core.errors import InvalidInput, NotKnown, required
+from core.fields import answer, answered
 from core.ring.profile import CycloidDisc
 from core.ring.sharing import MeshTurn
 
@@ -46,17 +47,22 @@ def sliding_part(*, disc: CycloidDisc, friction: RingFriction) -> float:
     return bore / disc.ring_pin_radius
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class RingLoss:
     """Friction loss of a ring's mesh over the turn."""
 
-    loss_per_friction: float  # loss over output for mu = 1
-    loss_ratio: float  # loss over output, mean over the turn
-    efficiency: float  # efficiency of the mesh alone
+    loss_per_friction: float = answer(
+        "", "", "ΣF·|R_p·S − r|·c/T; |τ − tan α_w| of involute teeth, over the path"
+    )
+    """Power loss over output power for a friction coefficient of 1, mean over the turn."""
+    loss_ratio: float = answer()
+    """Power loss over output power, mean over the turn."""
+    efficiency: float = answer("", "η")
+    """Efficiency of the mesh with the ring alone."""
     lost_torque: float  # lost power over the speed of the crank, N*m
     input_speed: float | None  # speed of the crank, rad/s; None if unknown
-    # Loss over output for perfect parts on many pins; None if a pin reaches its pitch point.
-    ideal_loss_ratio: float | None = None
+    ideal_loss_ratio: float | None = answer("", "4μ(R_p − r)/(π·e·z₂)", default=None)
+    """Power loss over output power of perfect parts with many pins."""
 
     @property
     def speed(self) -> float:
@@ -64,13 +70,17 @@ class RingLoss:
         return abs(required(self.input_speed, "speed_missing"))
 
     @property
+    @answered("W", optional=True)
     def mean_loss(self) -> float:
-        """Mean power lost by friction, W."""
+        """Mean power loss, if the speed is known."""
         return self.lost_torque * self.speed
 
     @property
+    @answered("MPa_m_per_s", "pv", optional=True)
     def peak_pv(self) -> float:
-        """Largest pressure times sliding speed, Pa*m/s; not known of flanks and rolling sleeves."""
+        """Largest product of pressure and sliding speed, if the speed is known: of sleeves in their
+        bores, else of the contact with π/4 of its Hertz pressure, for comparison only.
+        """
         raise NotKnown("no_bush")
 
 

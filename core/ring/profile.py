@@ -18,7 +18,7 @@ import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, check_finite, check_positive, check_single
 from core.errors import Accuracy, InvalidInput
-from core.fields import quantity
+from core.fields import answered, quantity
 from core.precision import AS_TYPED, ROUNDING
 
 MOST_POINTS = 200_000
@@ -124,34 +124,27 @@ class CycloidDisc:
         return self.eccentricity * self.pins / self.tool_circle_radius
 
     @property
+    @answered("", "K₁")
     def shortening_coefficient(self) -> float:
-        """Shortening coefficient K1 of the ring pins."""
+        """Shortening coefficient e·z₃/R_p of the ring pins."""
         return self.eccentricity * self.pins / self.ring_pin_circle_radius
 
     @property
+    @answered("mm", "R_m + e − r_m")
     def tip_radius(self) -> float:
-        """Largest radius of the disc, m."""
+        """Largest radius of a disc."""
         return self.tool_circle_radius + self.eccentricity - self.tool_radius
 
     @property
+    @answered("mm", "R_m − e − r_m")
     def root_radius(self) -> float:
-        """Least radius of the disc, m."""
+        """Least radius of a disc."""
         return self.tool_circle_radius - self.eccentricity - self.tool_radius
 
     @property
+    @answered("mm", "ρ_min")
     def min_path_radius(self) -> float:
-        """Least convex radius of curvature of the tool's path, m.
-
-        ``R_m*sqrt(27*(1 - K^2)*z)/(z_p + 1)^1.5`` on the flank if ``K > (z_p - 2)/(2*z_p - 1)``,
-        otherwise ``R_m*(1 + K)^2/(1 + z_p*K)`` at the tip. Derived by stationary curvature.
-
-        Examples
-        --------
-        >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
-        ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005)
-        >>> round(disc.min_path_radius, 9)
-        0.014706969
-        """
+        """Least convex radius of curvature of the tool's path."""
         k, pins, radius = self.shortening, self.pins, self.tool_circle_radius
         if k > (pins - 2) / (2 * pins - 1):
             return float(
@@ -162,8 +155,11 @@ class CycloidDisc:
         return float(radius * (1 + k) ** 2 / (1 + pins * k))
 
     @property
+    @answered("", "ρ_min/r_m")
     def undercut_margin(self) -> float:
-        """Least convex path radius over tool radius; at 1 or below the tool undercuts the flank."""
+        """Least convex radius of the tool's path over the radius of the tool; at 1 or below the
+        tool cuts off a part of the flanks.
+        """
         return self.min_path_radius / self.tool_radius
 
     @property
@@ -180,8 +176,11 @@ class CycloidDisc:
         return self.tool_circle_radius * (1 - k) ** 2 / (pins * k - 1)
 
     @property
+    @answered("mm")
     def min_concave_radius(self) -> float | None:
-        """Least concave radius of the disc, m, a limit for grinding wheels; None if convex."""
+        """Least concave radius of curvature of a disc; the wheel that grinds the valleys has to be
+        smaller.
+        """
         radius = self.valley_radius + self.tool_radius
         return radius if math.isfinite(radius) else None
 

@@ -16,6 +16,7 @@ from core.arrays import FloatArray, check_finite, check_single
 from core.drive import engine
 from core.drive.model import Pieces
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
+from core.fields import answer
 from core.hertz import HertzContact
 from core.output.loaded_position import notices
 from core.output.mechanism import Mechanism
@@ -173,17 +174,24 @@ class MeshesInSeries(Stage):
 class RingPart:
     """Ring's part of a position of both meshes."""
 
-    rotation: tuple[float, ...]  # angular deflection of each disc's holes, rad, K values
-    force: tuple[tuple[float, ...], ...]  # contact force of each pair, N, K x z_p
-    disc_torque: tuple[float, ...]  # torque of the forces about each disc's centre, N*m, K values
-    # Force of the ring on each disc across the crank, against its turning, N, K values.
-    crank_across: tuple[float, ...]
-    crank_along: tuple[float, ...]  # force along the crank, to the axis, N, K values
-    loaded_pairs: int  # number of pairs with a force
-    max_pressure: float  # largest Hertz pressure, Pa
-    # Least and largest lag of each disc in the ring alone, rad, K values; if ring pins press, twice
-    # the lag at which they exert no torque.
-    play: tuple[tuple[float, float], ...]
+    rotation: tuple[float, ...] = answer("arcmin", "λ_j")
+    """Lag of each disc's holes behind their ideal angle: the part of the output's lag that the
+    teeth cause. The rest is the lag of the pins."""
+    force: tuple[tuple[float, ...], ...] = answer("N", "F_jk")
+    """Force of each pin of the ring, a list for each satellite."""
+    disc_torque: tuple[float, ...] = answer("Nm", "T_j", "ΣF·h")
+    """Torque of the forces about each disc's centre."""
+    crank_across: tuple[float, ...] = answer("N", "W_j")
+    """Force of the ring on each disc against the turning of its crank."""
+    crank_along: tuple[float, ...] = answer("N")
+    """Force of the ring on each disc along its crank, to the axis."""
+    loaded_pairs: int = answer()
+    """Number of pairs with a force."""
+    max_pressure: float = answer("MPa", "p_0", "Johnson 4.2")
+    """Largest Hertz pressure of the pairs."""
+    play: tuple[tuple[float, float], ...] = answer("arcmin", "λ₋, λ₊")
+    """Angles between which each disc can turn in the ring alone; if its pins press without load,
+    twice the lag at which they exert no torque on it."""
 
 
 @dataclass(frozen=True, slots=True)

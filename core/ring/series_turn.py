@@ -14,6 +14,7 @@ import numpy as np
 from core.arrays import ComplexArray, FloatArray, check_finite, check_single
 from core.drive import engine
 from core.errors import InvalidInput, Notice, derived, poorly_known
+from core.fields import answer
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.over_turn import OverTurn, Peak
@@ -117,12 +118,18 @@ class SeriesTurn(Turn):
 class RingTurn:
     """Extremes of the ring's forces over the period."""
 
-    peak_force: float  # largest force on a ring pin, N
-    peak_crank_angle: float  # crank angle of the peak within the period, rad
-    peak_pair: PairNumber  # disc and ring pin of the peak, from 1
-    max_pressure: float  # largest Hertz pressure, Pa
-    loaded_pairs_min: int  # least number of pairs with a force, on the grid
-    loaded_pairs_max: int  # largest number of pairs with a force, on the grid
+    peak_force: float = answer("N", "F_max")
+    """Largest force of a pin of the ring."""
+    peak_crank_angle: float = answer("deg", "φ")
+    """Crank angle of the largest force, of all turns; any of them if several peaks are equal."""
+    peak_pair: PairNumber = answer()
+    """Satellite and ring pin with the largest force."""
+    max_pressure: float = answer("MPa", "p_0", "Johnson 4.2")
+    """Largest Hertz pressure."""
+    loaded_pairs_min: int = answer()
+    """Least number of pairs with a force."""
+    loaded_pairs_max: int = answer()
+    """Largest number of pairs with a force."""
 
 
 class SeriesOverTurn(OverTurn):

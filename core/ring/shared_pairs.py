@@ -15,6 +15,7 @@ import numpy as np
 
 from core.arrays import BoolArray, FloatArray, IntArray, check_positive
 from core.errors import Accuracy, ImpossibleMechanism
+from core.fields import answer
 from core.numerics.extremes import other_places, zoom
 from core.precision import ROUNDING
 from core.ring.involute import InvolutePair
@@ -46,14 +47,18 @@ class SharedTorque(NamedTuple):
     rotation: FloatArray  # angular deflection of the planet from centred teeth, rad
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class PairsThatCarry:
     """Pairs that carry over a pitch."""
 
-    loaded_pairs_min: int  # least number over the positions of the search
-    loaded_pairs_max: int  # largest number over the positions of the search
-    largest_share: float  # largest force of a pair over that of a pair that carries all
-    edge_contact: bool  # true if a pair carries at the corner of a tip
+    loaded_pairs_min: int = answer()
+    """Least number of pairs with a force."""
+    loaded_pairs_max: int = answer()
+    """Largest number of pairs with a force."""
+    largest_share: float = answer()
+    """Largest share of the force that one pair carries."""
+    edge_contact: bool = answer()
+    """True if a pair carries at the corner of a tip, where the pressure is not known."""
     accuracy: Accuracy
 
 

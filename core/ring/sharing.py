@@ -14,6 +14,7 @@ from core.arrays import FloatArray, IntArray, check_finite, check_positive, chec
 from core.drive import engine
 from core.drive.model import Pieces
 from core.errors import Accuracy, ImpossibleMechanism, InvalidInput, Notice, derived, poorly_known
+from core.fields import answer, answered
 from core.hertz import ElasticMaterial, effective_modulus
 from core.output.contact_force import PairNumber
 from core.output.elasticity import (
@@ -232,27 +233,34 @@ class CycloidMesh(Stage):
         return tuple(found)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class MeshPosition:
     """Cycloid mesh at one crank angle under load."""
 
-    crank_angle: float  # given crank angle, rad
-    # Angular deflection of each disc's teeth behind their ideal angle without the part that its
-    # deviations make, rad, K values, negative in reverse; equal to that of a rigid output.
-    rotation: tuple[float, ...]
-    # Contact force of each pair, N, K x z_p; if a pin presses both flanks of a valley, the larger.
-    force: tuple[tuple[float, ...], ...]
-    disc_torque: tuple[float, ...]  # torque of the forces about each disc's centre, N*m, K values
-    # Force of the ring on each disc across the crank, against its turning, N, K values.
-    crank_across: tuple[float, ...]
-    crank_along: tuple[float, ...]  # force along the crank, to the axis, N, K values
-    loaded_pairs: int  # number of pairs with a force
-    # Least and largest lag without load, rad; None if pairs press without load.
-    play: tuple[float, float] | None
-    # Interference without load, m, as `CycloidMesh.pressing_at`; None if pairs are free.
-    interference: float | None
-    stiffness: float  # dT/dtheta, N*m/rad
-    max_pressure: float  # largest Hertz pressure, Pa
+    crank_angle: float = answer("deg", "φ")
+    """Crank angle."""
+    rotation: tuple[float, ...] = answer("arcmin", "θ_j")
+    """Lag of each disc's teeth behind their ideal angle, including clearance; negative in reverse.
+    The lag of a rigid output is the same."""
+    force: tuple[tuple[float, ...], ...] = answer("N", "F_jk")
+    """Force of each ring pin, as one list per satellite."""
+    disc_torque: tuple[float, ...] = answer("Nm", "T_j", "ΣF·h")
+    """Torque of the forces about each disc's centre."""
+    crank_across: tuple[float, ...] = answer("N", "W_j")
+    """Force of the ring on each disc against the turning of its crank."""
+    crank_along: tuple[float, ...] = answer("N")
+    """Force of the ring on each disc along its crank, to the axis."""
+    loaded_pairs: int = answer()
+    """Number of pairs with a force."""
+    play: tuple[float, float] | None = answer("arcmin", "θ₋, θ₊")
+    """Least and largest lag of the unloaded discs; absent if pairs press without load."""
+    interference: float | None = answer("mm", "δ")
+    """Least possible value of the largest approach of the unloaded pairs, if pairs press without
+    load."""
+    stiffness: float = answer("Nm_per_arcmin", "dT/dθ")
+    """Torsional stiffness of the mesh alone: slope of the torque over the rotation."""
+    max_pressure: float = answer("MPa", "p_0", "Johnson 4.2")
+    """Largest Hertz pressure of the pairs."""
     # Largest distance of a loaded contact from its pitch point, m. A disc slides on a fixed pin at
     # this distance times the speed of the output.
     sliding_distance: float
@@ -363,8 +371,9 @@ class MeshTurn(OverTurn):
         return found
 
     @property
+    @answered("MPa", "p_0", "Johnson 4.2")
     def max_pressure(self) -> float:
-        """Largest Hertz pressure over the turn, Pa."""
+        """Largest Hertz pressure over the turn."""
         return self.mesh.pressure(self._pressed.height)
 
     @derived
@@ -410,8 +419,9 @@ class MeshTurn(OverTurn):
         return max(float(pressing(near).max()), 0.0)
 
     @property
+    @answered()
     def peak_force_ratio(self) -> float:
-        """Largest contact force over that of perfect parts."""
+        """Largest force of all pairs over that of perfect parts."""
         return self.peak_force / self.ideal.peak_force
 
     @property
@@ -421,14 +431,16 @@ class MeshTurn(OverTurn):
         return ideal_mesh(disc=self.mesh.disc, disc_torque=torque)
 
     @property
+    @answered("arcmin", "θ")
     def lag_max(self) -> float:
-        """Largest angular deflection over the turn, rad; negative in reverse."""
+        """Largest lag of a disc under load."""
         high, low = self.lags
         return high if self.turn.torque > 0 else -low
 
     @property
+    @answered("arcmin", "θ")
     def lag_min(self) -> float:
-        """Least angular deflection over the turn, rad."""
+        """Least lag of a disc under load; negative in reverse."""
         high, low = self.lags
         return low if self.turn.torque > 0 else -high
 
@@ -440,13 +452,19 @@ class MeshTurn(OverTurn):
         return each / (disc.eccentricity * disc.satellite_teeth)
 
     @derived
+    @answered()
     def radial_force_ratio_max(self) -> float:
-        """Largest force of a disc along its crank, to the axis, over that across at equal share."""
+        """Largest force of the ring along a crank, over the force across the crank of a disc that
+        carries its even share of the torque; negative outwards.
+        """
         return self._by_values(engine.ALONG_MOST) / self._across
 
     @derived
+    @answered()
     def radial_force_ratio_min(self) -> float:
-        """Least force of a disc along its crank, to the axis, over that across at equal share."""
+        """Least force of the ring along a crank, over the force across the crank of a disc that
+        carries its even share of the torque; negative outwards.
+        """
         return self._by_values(engine.ALONG_LEAST, -1) / self._across
 
     @property
@@ -551,10 +569,12 @@ def mesh_over_turn(
 class IdealMesh:
     """Mesh of a perfect disc on many pins with linear contacts."""
 
-    peak_force: float  # largest force of a pin, N
-    mean_sum_force: float  # sum of the forces on a disc, mean over the turn, N
-    # Backlash by the modification alone, rad; None if the modification makes pins press.
-    backlash: float | None
+    peak_force: float = answer("N", "F_max")
+    """Largest force of a pin, 4T_j/(K₁·z₂·R_p)."""
+    mean_sum_force: float = answer("N", "ΣF")
+    """Mean over the turn of the sum of forces on a disc, 4T_j/(π·e·z₂)."""
+    backlash: float | None = answer("arcmin", "2(Δ_e − Δ_p·q)/(e·z₂)")
+    """Play caused by the modification alone; absent if the modification makes the mesh jam."""
 
 
 def ideal_mesh(*, disc: CycloidDisc, disc_torque: float) -> IdealMesh:
