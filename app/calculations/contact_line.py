@@ -7,12 +7,10 @@ from pydantic import Field
 
 from app.calculations.gear import GearFields
 from app.model import (
-    AccuracyOut,
     Calculation,
     Maybe,
     ResponseModel,
     Values,
-    WarningOut,
     Whole,
     WorkedResponse,
     quantity,
@@ -24,6 +22,7 @@ from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, series_st
 from app.worked import worked
 from core.errors import InvalidInput
 from core.precession.contact_line import (
+    ContactLine,
     ContactLines,
     ContactPoints,
     contact_lines,
@@ -99,38 +98,14 @@ class PointsOut(ResponseModel):
     )
 
 
-class ContactLineOut(ResponseModel):
+class ContactLineOut(ResponseModel, of=ContactLine):
     """One contact line."""
 
-    position_angle_deg: float = result(
-        "Position angle of the roller.", symbol="φ_1", equation="2020, eq. 1"
-    )
-    z_min_mm: float = result(
-        "Lower end of the line along the axis of the wheel.", symbol="z_min", equation="2020, eq. 1"
-    )
-    z_max_mm: float = result(
-        "Upper end of the line along the axis of the wheel.", symbol="z_max", equation="2020, eq. 1"
-    )
-    phi_min_deg: float = result(
-        "Polar angle of the first end.", symbol="φ_min", equation="2020, eq. 6"
-    )
-    phi_max_deg: float = result(
-        "Polar angle of the last end.", symbol="φ_max", equation="2020, eq. 7"
-    )
-    length_mm: float = result("Length of the line.", symbol="s_i", equation="2020, eq. 4")
-    relative_error: float = Field(description="Bound of the relative error of the line's length.")
     points: Maybe[PointsOut] = result("Points of the line, if requested.")
 
 
-class ContactLineResponse(WorkedResponse):
+class ContactLineResponse(WorkedResponse, of=ContactLines):
     """Contact lines of all rollers."""
-
-    lines: list[ContactLineOut] = result("The lines, in the order of the rollers.")
-    total_length_mm: float = result(
-        "Length of all lines together.", symbol="Σs", equation="2020, eq. 8"
-    )
-    accuracy: AccuracyOut
-    warnings: Maybe[list[WarningOut]] = None
 
     @classmethod
     def values(

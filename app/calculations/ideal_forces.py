@@ -10,14 +10,12 @@ from pydantic import Field
 from app.calculations.mechanism import MechanismFields, PairOut
 from app.fields import SectionFields
 from app.model import (
-    AccuracyOut,
     AssumingResponse,
     Maybe,
     RequestModel,
     ResponseModel,
     Size,
     Values,
-    WarningOut,
     Whole,
     quantity,
     result,
@@ -30,7 +28,9 @@ from core.design.sections import Load
 from core.errors import ImpossibleMechanism, InvalidInput, required
 from core.output.contact_force import (
     ContactForce,
+    CountInterval,
     Cyclogram,
+    DrivingPair,
     ForceCurves,
     contact_force,
     cyclogram,
@@ -105,7 +105,7 @@ class CyclogramFields(MechanismFields, RangeFields):
         return found, ()
 
 
-class DrivingPairOut(PairOut):
+class DrivingPairOut(PairOut, of=DrivingPair):
     """Driving phases of one pair."""
 
     driving_deg: list[Range] = result(
@@ -115,7 +115,7 @@ class DrivingPairOut(PairOut):
     )
 
 
-class CountIntervalOut(ResponseModel):
+class CountIntervalOut(ResponseModel, of=CountInterval):
     """Range of the crank angle with one number of driving pairs."""
 
     from_deg: float = result("Crank angle at the start of the range.", symbol="φ")
@@ -123,42 +123,17 @@ class CountIntervalOut(ResponseModel):
     pairs: int = result("Number of driving pairs within the range.")
 
 
-class AssemblyAngleOut(ResponseModel):
+class AssemblyAngleOut(ResponseModel, of=AssemblyAngle):
     """Rotation of one satellite's holes against its teeth."""
 
-    satellite: int = result("Number of the satellite, from 1.", symbol="j")
-    hole_rotation_deg: float = result(
-        "Rotation of the satellite's holes relative to its teeth.",
-        symbol="ψ_j",
-        equation="2021, after eq. 11",
-    )
-    identical: bool = result("True if the satellite may be identical to the first one.")
 
-
-class CyclogramResponse(AssumingResponse):
+class CyclogramResponse(AssumingResponse, of=Cyclogram):
     """Pairs that drive, with their phases and numbers."""
 
-    working_phase_deg: float = result(
-        "Crank angle over which a pair drives without interruption.", equation="2018; 2021, eq. 6"
-    )
-    period_deg: float = result("Crank angle after which the same pairs drive again.")
-    pattern_period_deg: float = result(
-        "Crank angle after which the number of driving pairs repeats."
-    )
-    pairs: list[DrivingPairOut] = result("Pairs of pins and holes, satellite by satellite.")
-    driving_count: list[CountIntervalOut] = result(
-        "Number of driving pairs over the period of their number."
-    )
-    min_driving: int = result("Fewest pairs that drive together.")
-    max_driving: int = result("Most pairs that drive together.")
-    mean_driving: float = result("Mean number of driving pairs.")
-    dead_centres_deg: list[float] = result("Crank angles at which no pair drives.")
-    dead_zones_deg: Maybe[list[Range]] = result("Ranges of crank angle in which no pair drives.")
+    dead_zones_deg: Maybe[list[Range]]
     assembly: Maybe[list[AssemblyAngleOut]] = result(
         "Angles of the satellites' holes relative to their teeth, if the teeth are given."
     )
-    accuracy: AccuracyOut
-    warnings: Maybe[list[WarningOut]] = None
 
     @classmethod
     def values(
@@ -349,18 +324,10 @@ def force_of_one(mechanism: MechanismFields, load: LoadFields) -> Values:
     return {"without": {"peak_force_N": from_si("peak_force_N", found.peak_force)}}
 
 
-class ForceCurvesOut(ResponseModel):
+class ForceCurvesOut(ResponseModel, of=ForceCurves):
     """Force of every pair over the turn: one list for each pair, in the order of `pairs`, rounded
     to 12 digits of the largest force.
     """
-
-    crank_angle_deg: list[float] = result("Crank angles of the curves.", symbol="φ")
-    force_N: list[list[float]] = result(
-        "Forces over the crank angles, as one list per pair.",
-        symbol="F_jn",
-        equation="2021, eq. 10",
-    )
-    pairs: list[PairOut] = result("Pairs, in the order of the lists of forces.")
 
     @classmethod
     def values(cls, result: ForceCurves, run_time_us: float | None = None, **given: Any) -> Values:
@@ -369,31 +336,5 @@ class ForceCurvesOut(ResponseModel):
         return super().values(result, run_time_us, force_N=forces, **given)
 
 
-class ContactForceResponse(AssumingResponse):
+class ContactForceResponse(AssumingResponse, of=ContactForce):
     """Exact peak of the contact force, and requested results."""
-
-    reference_force_N: float = result(
-        "Torque over the radius of the pin circle.", symbol="F_0", equation="2018; 2021"
-    )
-    peak_force_N: float = result(
-        "Largest ideal contact force over the turn, by force_exponent.",
-        symbol="F_max",
-        equation="2021, eq. 10",
-    )
-    peak_force_ratio: float = result(
-        "Largest contact force over the reference force.", symbol="f", equation="2021, eq. 11"
-    )
-    peak_crank_angle_deg: float = result("Crank angle of the peak.", symbol="φ")
-    peak_pair: PairOut = result("Pair with the largest force.")
-    curves: Maybe[ForceCurvesOut] = result("Force of every pair over the turn, if requested.")
-    equal_sharing_peak_N: Maybe[float] = result(
-        "Largest force if all driving pairs carried alike.", symbol="F_max", equation="Zyl, eq. 1"
-    )
-    approximate_peak_N: Maybe[float] = result(
-        "Largest force by the approximate formula for 3 to 5 pins.",
-        symbol="F_max",
-        equation="2018, eq. 5",
-    )
-    approximate_peak_error: Maybe[float] = result("Approximate over exact peak, less 1.")
-    accuracy: AccuracyOut
-    warnings: Maybe[list[WarningOut]] = None

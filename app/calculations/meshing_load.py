@@ -8,23 +8,19 @@ from pydantic import field_validator
 from app.calculations.contact_line import MOST_NAMED
 from app.calculations.gear import Coordinate, GearFields
 from app.model import (
-    AccuracyOut,
     Calculation,
-    Maybe,
     Values,
-    WarningOut,
     WorkedFields,
     WorkedResponse,
     no_dust,
     quantity,
-    result,
     timed,
 )
 from app.sources import KHATETOVSKY_2020
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si, to_si
 from app.worked import worked
-from core.arrays import FloatArray, Vector
+from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.precession.meshing_load import MeshingLoad, line_load, meshing_load
 from core.worked.precession import load_steps
@@ -78,23 +74,8 @@ class MeshingLoadRequest(MeshFields, WorkedFields):
         return load_steps(gear=self.gear(), found=self.solve_load(), **self.loaded_by)
 
 
-class MeshingLoadResponse(WorkedResponse):
+class MeshingLoadResponse(WorkedResponse, of=MeshingLoad):
     """Resultants of the mesh, moment about the point C."""
-
-    force_N: Vector = result(
-        "Force on the wheel, X, Y, Z.", symbol="F", equation="2020, eq. 12 to 14"
-    )
-    moment_Nm: Vector = result(
-        "Moment about the point C, X, Y, Z.", symbol="M_C", equation="2020, eq. 15 to 17"
-    )
-    max_line_load_N_per_mm: float = result(
-        "Largest force per length of the contact lines.", symbol="q", equation="2020, eq. 8"
-    )
-    total_length_mm: float = result(
-        "Length of all contact lines together.", symbol="Σs", equation="2020, eq. 4"
-    )
-    accuracy: AccuracyOut
-    warnings: Maybe[list[WarningOut]] = None
 
 
 def meshing_load_figure(

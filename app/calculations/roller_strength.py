@@ -16,17 +16,14 @@ from app.calculations.checks import (
 )
 from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
 from app.model import (
-    AccuracyOut,
     Calculation,
     Maybe,
     Size,
     Values,
-    WarningOut,
     Whole,
     no_dust,
     notices_of,
     quantity,
-    result,
     timed,
     warning,
 )
@@ -261,47 +258,11 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         return roller_curves(**self.design)
 
 
-class RollerStrengthResponse(JudgedResponse):
+class RollerStrengthResponse(JudgedResponse, of=RollerStrength):
     """Stiffness, load sharing and stress of the rollers."""
 
-    stiffness_N_per_mm: float = result("Stiffness of a roller.", symbol="c", equation="2019, eq. 9")
-    relative_stiffness: float = result(
-        "Stiffness over width of the sphere and modulus.", symbol="c/(bE)", equation="2019, eq. 10"
-    )
-    mean_force_N: float = result("Mean force of a roller.", symbol="F_avg", equation="2019, eq. 2")
-    relative_position_error: float = result(
-        "Stiffness times position tolerance over mean force.", symbol="δ", equation="2019, eq. 6"
-    )
-    load_nonuniformity: float = result(
-        "Largest force over mean force.", symbol="Ψ", equation="2019, eq. 6"
-    )
-    max_force_N: float = result(
-        "Largest force of a roller.", symbol="F_1", equation="2019, eq. 2, 11"
-    )
-    centre_force_N: float = result(
-        "Force on the middle sphere of the roller with the largest force.",
-        symbol="2F_1",
-        equation="2019, eq. 2",
-    )
-    forces_N: list[float] = result("Force of each roller.", symbol="F_i", equation="2019, eq. 5")
-    displacement_mm: float = result(
-        "Displacement of the disc's holes against the satellites'.",
-        symbol="Δ",
-        equation="2019, eq. 5",
-    )
-    bending_moment_Nm: float = result(
-        "Bending moment at the middle sphere.", symbol="M", equation="2019, eq. 4"
-    )
-    bending_stress_MPa: float = result(
-        "Bending stress at the middle sphere.", symbol="σ", equation="2019, eq. 12"
-    )
-    relative_stress: float = result(
-        "Bending stress over the modulus of elasticity.", symbol="σ/E", equation="2019, fig. 6"
-    )
-    loaded_rollers: int = result("Number of rollers that carry.")
+    loaded_rollers: int
     fatigue: Maybe[CycleOut] = None
-    accuracy: AccuracyOut
-    warnings: Maybe[list[WarningOut]] = None
 
 
 def roller_figure(

@@ -12,21 +12,18 @@ from app.calculations.checks import (
     fix_values,
     judgement,
 )
-from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
+from app.calculations.fatigue import STEEL_GPA, FatigueFields
 from app.calculations.hertz import Material, material_of
 from app.calculations.meshing_load import MeshFields
 from app.model import (
-    AccuracyOut,
     Calculation,
     Maybe,
     RequestModel,
     ResponseModel,
     Size,
     Values,
-    WarningOut,
     notices_of,
     quantity,
-    result,
     timed,
     warning,
 )
@@ -46,7 +43,7 @@ from core.hertz import ElasticMaterial
 from core.precession.line_contact import LineContact, line_contact
 from core.precession.meshing_load import MeshingLoad
 from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram
-from core.precession.shaft_deflection import ShaftDeflection, shaft_deflection
+from core.precession.shaft_deflection import Deflection, ShaftDeflection, shaft_deflection
 from core.precession.shaft_strength import ShaftStrength, shaft_strength
 from core.worked.precession import shaft_steps
 from core.worked.step import Step
@@ -302,85 +299,23 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         return self.solve_shaft(load), diagram
 
 
-class DeflectionOut(ResponseModel):
+class DeflectionOut(ResponseModel, of=Deflection):
     """Deflection or slope in both planes and in total, in the unit of its name."""
 
-    x: float = result("Component in the plane of X.")
-    y: float = result("Component in the plane of Y.")
-    total: float = result("Resultant of both planes.")
 
-
-class ShaftStrengthOut(ResponseModel):
+class ShaftStrengthOut(ResponseModel, of=ShaftStrength):
     """Bending strength of the shaft, without torsion."""
 
-    bending_moment_B_Nm: float = result("Bending moment at B.", symbol="M_B", equation="|C|·a")
-    bending_moment_clamp_Nm: float = result(
-        "Bending moment at the clamp.", symbol="M", equation="|C·(a + b) + B·b|"
-    )
-    peak_stress_MPa: float = result("Largest bending stress, 32·M/(π·d³).", symbol="σ")
-    peak_stress_position_mm: float = result(
-        "Position of the largest stress, from C towards the clamp."
-    )
-    static_safety_factor: Maybe[float] = result(
-        "Yield strength over the largest bending stress, if the yield strength is given.",
-        symbol="S",
-    )
-    fatigue: Maybe[CycleOut] = None
-    cycle_position_mm: Maybe[float] = result(
-        "Position of the worst stress cycle, from C towards the clamp."
-    )
 
-
-class LineContactOut(ResponseModel):
+class LineContactOut(ResponseModel, of=LineContact):
     """Hertz contact of roller and tooth at the largest line load."""
 
-    max_pressure_MPa: float = result("Largest Hertz pressure.", symbol="p₀")
-    half_width_mm: float = result("Half-width of the contact.", symbol="a")
-    reduced_radius_mm: float = result("Reduced radius of curvature.", symbol="ρ")
-    effective_modulus_GPa: float = result("Effective modulus.", symbol="E*")
-    roller_safety: Maybe[float] = result(
-        "Pressure limit of the roller's material over the largest pressure, if the limit is known."
-    )
-    mating_safety: Maybe[float] = result(
-        "Pressure limit of the satellite's material over the largest pressure, if the limit is "
-        "known."
-    )
-    accuracy: AccuracyOut
 
-
-class ShaftDeflectionResponse(JudgedResponse):
+class ShaftDeflectionResponse(JudgedResponse, of=ShaftDeflection):
     """Reactions and deflection of the shaft at the bearings B and C."""
 
-    reaction_B_N: Plane = result(
-        "Reaction of the bearing B, X and Y.", symbol="B", equation="2020, eq. 30, 31"
-    )
-    reaction_C_N: Plane = result(
-        "Reaction of the bearing C, X and Y.", symbol="C", equation="2020, eq. 28, 29"
-    )
-    deflection_B_mm: DeflectionOut = result(
-        "Deflection of the shaft at B.", symbol="Δ_B", equation="2020, eq. 34, 36"
-    )
-    deflection_C_mm: DeflectionOut = result(
-        "Deflection of the shaft at C.", symbol="Δ_C", equation="2020, eq. 33, 35"
-    )
-    slope_B_mrad: DeflectionOut = result("Slope of the shaft at B.", symbol="θ_B", equation="Mohr")
-    slope_C_mrad: DeflectionOut = result("Slope of the shaft at C.", symbol="θ_C", equation="Mohr")
-    simplified_deflection_B_mm: Maybe[DeflectionOut] = result(
-        "Deflection at B of a shaft with one diameter, if the shaft has steps.",
-        symbol="Δ_B",
-        equation="2020, eq. 34, 36",
-    )
-    simplified_deflection_C_mm: Maybe[DeflectionOut] = result(
-        "Deflection at C of a shaft with one diameter, if the shaft has steps.",
-        symbol="Δ_C",
-        equation="2020, eq. 33, 35",
-    )
-    simplification_error_B: Maybe[float] = result("Simplified over exact deflection at B, less 1.")
-    simplification_error_C: Maybe[float] = result("Simplified over exact deflection at C, less 1.")
     strength: Maybe[ShaftStrengthOut] = None
     line_contact: Maybe[LineContactOut] = None
-    accuracy: AccuracyOut
-    warnings: Maybe[list[WarningOut]] = None
 
     @classmethod
     def values(

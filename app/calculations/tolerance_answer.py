@@ -4,14 +4,11 @@ from pydantic import Field
 
 from app.model import AccuracyOut, DocumentResponse, Maybe, ResponseModel, WarningOut, result
 from core.tolerance.processes import ProcessName
+from core.tolerance.quantiles import Estimate
 
 
-class EstimateOut(ResponseModel):
+class EstimateOut(ResponseModel, of=Estimate):
     """Number of the sample with its 95 % interval."""
-
-    value: float = result("Estimate of the quantity.")
-    low: float = result("Lower end of its 95 % interval.")
-    high: float = result("Upper end of its 95 % interval.")
 
 
 class PercentileOut(EstimateOut):

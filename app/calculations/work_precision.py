@@ -171,12 +171,10 @@ COMPARED = [
 """Names of each calculation whose methods are compared, with former names behind."""
 
 
-class ReferenceOut(ResponseModel):
+class ReferenceOut(ResponseModel, of=Reference):
     """Reference against which errors are measured."""
 
-    method: str = result("Method of the reference, in English.")
     method_code: str = result("Method of the reference, by code.")
-    digits: int = result("Number of correct decimal digits.")
 
     @classmethod
     def values(cls, result: Reference, run_time_us: float | None = None, **given: Any) -> Values:
@@ -184,17 +182,12 @@ class ReferenceOut(ResponseModel):
         return super().values(result, method=METHODS[result.method], method_code=result.method)
 
 
-class WorkPointOut(ResponseModel):
+class WorkPointOut(ResponseModel, of=WorkPoint):
     """One method at one setting."""
 
-    method: str = result("Method, in English.")
     method_code: str = result("Method, by code.")
-    setting: str = result("Setting that is varied, in English.")
     setting_code: str = result("Setting that is varied, by code.")
     setting_value: float = result("Value of the setting.")
-    relative_error: float = result("Relative error against the reference.")
-    run_time_us: float = result("Run time.")
-    evaluations: int = result("Number of evaluations of the method's function.")
 
     @classmethod
     def values(cls, result: WorkPoint, run_time_us: float | None = None, **given: Any) -> Values:
@@ -209,12 +202,8 @@ class WorkPointOut(ResponseModel):
         )
 
 
-class WorkPrecisionResponse(ResponseModel):
+class WorkPrecisionResponse(ResponseModel, of=WorkPrecision):
     """Error against run time of every method, and the method that the calculators use."""
-
-    reference: ReferenceOut = result("Reference against which the errors are measured.")
-    points: list[WorkPointOut] = result("Results of every method at each of its settings.")
-    chosen: WorkPointOut = result("Method that the calculators use.")
 
 
 EXACT = 1e-17

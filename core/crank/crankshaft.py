@@ -46,8 +46,8 @@ class Crankshaft:
     basic_life: dict[int, float]
     balance: Balance | None = answer()
     """Balance of satellites and counterweights; absent without masses or a speed."""
-    accuracy: Accuracy = answer()
-    notices: tuple[Notice, ...] = answer()
+    accuracy: Accuracy = answer()  # of the balance over the sum of the sizes of its forces
+    notices: tuple[Notice, ...] = answer()  # of the ring mesh, and of poorly known results
 
 
 def crankshaft(

@@ -88,7 +88,7 @@ class PinRollers:
     """Number of the satellite whose roller has the largest load, from 1."""
     pin: int = answer()
     """Number of the pin whose roller has the largest load, from 1."""
-    accuracy: Accuracy = answer()
+    accuracy: Accuracy = answer()  # of the loads; the error of the life is p times as large
     notices: tuple[Notice, ...] = answer()
 
     @property

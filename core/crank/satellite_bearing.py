@@ -74,7 +74,7 @@ class SatelliteBearings:
     reliability_percent: float  # required reliability
     weibull_slope: Number | None  # slope beta of the distribution of lives
     load_accuracy: Accuracy  # accuracy of loads over those of the most loaded satellite
-    notices: tuple[Notice, ...] = answer()
+    notices: tuple[Notice, ...] = answer()  # of the ring, idle satellites and poorly known results
 
     @property
     @answered("deg", "α_w", optional=True)

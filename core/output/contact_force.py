@@ -28,6 +28,7 @@ import numpy as np
 
 from core.arrays import FloatArray, check_not_negative, check_positive, check_single
 from core.errors import Accuracy, ImpossibleMechanism, InvalidInput, Notice, poorly_known
+from core.fields import answer, answered
 from core.output.driving_set import segments
 from core.output.force_laws import force_law
 from core.output.mechanism import Mechanism, WavePhases, pressure_cosines
@@ -58,21 +59,31 @@ class CountInterval(NamedTuple):
 class Cyclogram:
     """Driving phases of all pairs, and the number of driving pairs, over the crank angle."""
 
-    working_phase: float  # crank angle through which a pair drives without a break, rad
-    period: float  # crank angle after which each pair drives again, rad: twice `working_phase`
-    pattern_period: float  # crank angle after which the pattern repeats with other pairs, rad
-    pairs: tuple[DrivingPair, ...]  # all pairs, satellite by satellite
-    # Number of driving pairs over the range, neighbours with the same number joined.
-    driving_count: tuple[CountInterval, ...]
-    min_driving: int  # least number of driving pairs over the whole pattern
-    max_driving: int  # largest number of driving pairs
-    mean_driving: float  # mean over the whole pattern, always half of all pairs
-    dead_centres: tuple[float, ...]  # crank angles in the range, rad; both ends of each dead zone
-    # Ranges in which no pair drives, rad; ranges of no width are in `dead_centres` only.
-    dead_zones: tuple[tuple[float, float], ...]
-    accuracy: Accuracy  # error of angles and of a pair's total driving angle, over the range
+    working_phase: float = answer("deg", "", "2018; 2021, eq. 6")
+    """Crank angle over which a pair drives without interruption."""
+    period: float = answer("deg")
+    """Crank angle after which the same pairs drive again."""
+    pattern_period: float = answer("deg")
+    """Crank angle after which the number of driving pairs repeats."""
+    pairs: tuple[DrivingPair, ...] = answer()
+    """Pairs of pins and holes, satellite by satellite."""
+    driving_count: tuple[CountInterval, ...] = answer()
+    """Number of driving pairs over the period of their number."""
+    min_driving: int = answer()
+    """Fewest pairs that drive together."""
+    max_driving: int = answer()
+    """Most pairs that drive together."""
+    mean_driving: float = answer()
+    """Mean number of driving pairs."""
+    dead_centres: tuple[float, ...] = answer("deg")
+    """Crank angles at which no pair drives."""
+    dead_zones: tuple[tuple[float, float], ...] = answer("deg")
+    """Ranges of crank angle in which no pair drives."""
+    # error of angles and of a pair's total driving angle, over the range
+    accuracy: Accuracy = answer()
 
     @property
+    @answered()
     def notices(self) -> tuple[Notice, ...]:
         """Notice if the range is so short that rounding leaves hardly anything known."""
         return poorly_known(self.accuracy)
@@ -480,28 +491,41 @@ class PairNumber(NamedTuple):
 class ForceCurves:
     """Contact force of every pair over the turn."""
 
-    pairs: tuple[PairNumber, ...]  # satellite by satellite
-    crank_angle: FloatArray  # rad, shape (n,)
-    force: FloatArray  # N, shape (K*N, n), in the order of the pairs
+    pairs: tuple[PairNumber, ...] = answer()
+    """Pairs, in the order of the lists of forces."""
+    crank_angle: FloatArray = answer("deg", "φ")
+    """Crank angles of the curves."""
+    force: FloatArray = answer("N", "F_jn", "2021, eq. 10", depth=2)
+    """Forces over the crank angles, as one list per pair."""
 
 
 @dataclass(frozen=True, slots=True)
 class ContactForce:
     """Peak contact force of the pairs; curves and other laws are None where not asked for."""
 
-    reference_force: float  # F0 = T/R, N
-    peak_force: float  # F_max over the turn, exact, N
-    peak_force_ratio: float  # F_max/F0
-    peak_crank_angle: float  # smallest one >= 0, rad
-    peak_pair: PairNumber  # pair that carries the peak
-    curves: ForceCurves | None  # forces of all pairs over the turn
-    equal_sharing_peak: float | None  # peak if driving pairs shared equally (Zyl), N
-    approximate_peak: float | None  # peak of Yanchevsky et al. 2018, eq. (5), N
-    approximate_peak_error: float | None  # relative to the exact peak, signed
+    reference_force: float = answer("N", "F_0", "2018; 2021")
+    """Torque over the radius of the pin circle."""
+    peak_force: float = answer("N", "F_max", "2021, eq. 10")
+    """Largest ideal contact force over the turn, by force_exponent."""
+    peak_force_ratio: float = answer("", "f", "2021, eq. 11")
+    """Largest contact force over the reference force."""
+    peak_crank_angle: float = answer("deg", "φ")
+    """Crank angle of the peak."""
+    peak_pair: PairNumber = answer()
+    """Pair with the largest force."""
+    curves: ForceCurves | None = answer()
+    """Force of every pair over the turn, if requested."""
+    equal_sharing_peak: float | None = answer("N", "F_max", "Zyl, eq. 1")
+    """Largest force if all driving pairs carried alike."""
+    approximate_peak: float | None = answer("N", "F_max", "2018, eq. 5")
+    """Largest force by the approximate formula for 3 to 5 pins."""
+    approximate_peak_error: float | None = answer()
+    """Approximate over exact peak, less 1."""
     # Relative error of the forces and their ratio: also the absolute error of
     # `approximate_peak_error`; the angle of a smooth peak is known to its square root.
-    accuracy: Accuracy
-    notices: tuple[Notice, ...]  # limits of the approximation that are broken; results hardly known
+    accuracy: Accuracy = answer()
+    # limits of the approximation that are broken; results hardly known
+    notices: tuple[Notice, ...] = answer()
 
 
 @lru_cache(maxsize=1024)

@@ -305,7 +305,7 @@ class PinLosses:
     pin_radius: Number  # radius that touches the hole, m
     rubbing: BarePins | Sleeves  # bare pins, or pins with sleeves
     accuracy: Accuracy = answer()
-    notices: tuple[Notice, ...] = answer()
+    notices: tuple[Notice, ...] = answer()  # of results that are hardly known
 
     @property
     @answered("mm", "h_in", optional=True)

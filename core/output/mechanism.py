@@ -274,9 +274,12 @@ def pressure_cosines(*, mechanism: Mechanism, crank_angles: FloatArray) -> Float
 class AssemblyAngle:
     """Rotation of the holes of one satellite against its teeth."""
 
-    satellite: int  # from 1
-    hole_rotation: float  # smallest one against satellite 1, rad
-    identical: bool  # True if the satellite is the same part as satellite 1
+    satellite: int = answer("", "j")
+    """Number of the satellite, from 1."""
+    hole_rotation: float = answer("deg", "ψ_j", "2021, after eq. 11")
+    """Rotation of the satellite's holes relative to its teeth."""
+    identical: bool = answer()
+    """True if the satellite may be identical to the first one."""
 
 
 def assembly_angles(*, mechanism: Mechanism, satellite_teeth: int) -> tuple[AssemblyAngle, ...]:

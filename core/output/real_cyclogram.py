@@ -50,7 +50,7 @@ class RealCyclogram:
     max_loaded: int  # largest number
     step: float = answer("deg")
     """Step of the search in crank angle; shorter ranges may be missed."""
-    accuracy: Accuracy = answer()
+    accuracy: Accuracy = answer()  # error of the ends over the period
 
 
 def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:

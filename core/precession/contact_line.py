@@ -8,6 +8,7 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.errors import Accuracy, ImpossibleMechanism, InvalidInput, Notice, poorly_known
+from core.fields import answer, answered
 from core.numerics.quadrature import TRUNCATION
 from core.precession.contact_curve import ContactCurve, Limits, LinePoint, Places, axial_scale
 from core.precession.rollers import (
@@ -21,33 +22,40 @@ from core.precession.rollers import (
 from core.precision import ROUNDING
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ContactLine:
     """Contact line of one roller."""
 
     curve: ContactCurve  # curve that contains the line
     limits: Limits
     places: Places  # nodes of quadrature along the line
-    phi_min: float  # smallest polar angle, rad, at one of its ends
-    phi_max: float  # largest, rad, at the other
-    length: float  # s, m
-    relative_error: float  # relative error of the length
+    phi_min: float = answer("deg", "φ_min", "2020, eq. 6")
+    """Polar angle of the first end."""
+    phi_max: float = answer("deg", "φ_max", "2020, eq. 7")
+    """Polar angle of the last end."""
+    length: float = answer("mm", "s_i", "2020, eq. 4")
+    """Length of the line."""
+    relative_error: float = answer()
+    """Bound of the relative error of the line's length."""
     arm_sign: int  # sign of the arm -R_C*sin(phi) about the axis; 0 if the line reaches phi = 0
     flank: int  # half-turns added to the polar angle of the curve
 
     @property
+    @answered("deg", "φ_1", "2020, eq. 1")
     def position_angle(self) -> float:
-        """Position angle phi1 of the roller, rad."""
+        """Position angle of the roller."""
         return self.curve.position_angle
 
     @property
+    @answered("mm", "z_min", "2020, eq. 1")
     def z_min(self) -> float:
-        """Start of the line along the axis, m."""
+        """Lower end of the line along the axis of the wheel."""
         return self.limits.start.z
 
     @property
+    @answered("mm", "z_max", "2020, eq. 1")
     def z_max(self) -> float:
-        """End of the line along the axis, m."""
+        """Upper end of the line along the axis of the wheel."""
         return self.limits.end.z
 
 
@@ -55,10 +63,12 @@ class ContactLine:
 class ContactLines:
     """Contact lines of the rollers."""
 
-    lines: tuple[ContactLine, ...]  # one for each roller, in their order
-    total_length: float  # sum of their lengths, m
-    accuracy: Accuracy  # accuracy of `total_length`; each line states its own error
-    notices: tuple[Notice, ...]
+    lines: tuple[ContactLine, ...] = answer()
+    """The lines, in the order of the rollers."""
+    total_length: float = answer("mm", "Σs", "2020, eq. 8")
+    """Length of all lines together."""
+    accuracy: Accuracy = answer()  # accuracy of `total_length`; each line states its own error
+    notices: tuple[Notice, ...] = answer()
 
 
 def contact_lines(

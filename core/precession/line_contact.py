@@ -5,31 +5,42 @@ from dataclasses import dataclass
 
 from core.arrays import check_positive
 from core.errors import Accuracy, InvalidInput, Notice
+from core.fields import answer, answered
 from core.hertz import HALF_WIDTH_RATIO_LIMIT, ElasticMaterial, effective_modulus
 from core.precision import ROUNDING
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class LineContact:
     """Contact of a roller and a tooth where the line load is largest."""
 
-    max_pressure: float  # p0, Pa
-    half_width: float  # a of the contact, m
-    reduced_radius: float  # rho, m
-    effective_modulus: float  # E*, Pa
+    max_pressure: float = answer("MPa", "p₀")
+    """Largest Hertz pressure."""
+    half_width: float = answer("mm", "a")
+    """Half-width of the contact."""
+    reduced_radius: float = answer("mm", "ρ")
+    """Reduced radius of curvature."""
+    effective_modulus: float = answer("GPa", "E*")
+    """Effective modulus."""
     roller_material: ElasticMaterial  # material of the roller
     mating_material: ElasticMaterial  # material of the tooth
-    accuracy: Accuracy
+    accuracy: Accuracy = answer()
     notices: tuple[Notice, ...]  # a notice if the contact is too wide for Hertz
 
     @property
+    @answered(optional=True)
     def roller_safety(self) -> float:
-        """Limit of the roller's material over the pressure."""
+        """Pressure limit of the roller's material over the largest pressure, if the limit is
+        known.
+        """
         return float(self.roller_material.known_limit.pressure) / self.max_pressure
 
     @property
+    @answered(optional=True)
     def mating_safety(self) -> float:
-        """Limit of the tooth's material over the pressure."""
+        """Pressure limit of the satellite's material over the largest pressure, if the limit is
+        known.
+        """
         return float(self.mating_material.known_limit.pressure) / self.max_pressure
 
 

@@ -16,6 +16,7 @@ import numpy as np
 
 from core.arrays import FloatArray, Vector
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
+from core.fields import answer
 from core.precession.contact_line import ContactLine, contact_lines
 from core.precession.rollers import Roller
 from core.precision import ROUNDING
@@ -24,21 +25,25 @@ SMALL_ARM = 0.1
 """Arm over R_C below which the line load grows so steeply that real lines share it."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class MeshingLoad:
     """Load of the precessional gear's mesh."""
 
-    force: Vector  # F on the satellite and, through it, on the input shaft, N
-    moment: Vector  # M_C about the point z = reference_z of the axis, N*m; z component M1
-    max_line_load: float  # largest load per length, N/m
-    total_length: float  # length of all contact lines, m
+    force: Vector = answer("N", "F", "2020, eq. 12 to 14")
+    """Force on the wheel, X, Y, Z."""
+    moment: Vector = answer("Nm", "M_C", "2020, eq. 15 to 17")
+    """Moment about the point C, X, Y, Z."""
+    max_line_load: float = answer("N_per_mm", "q", "2020, eq. 8")
+    """Largest force per length of the contact lines."""
+    total_length: float = answer("mm", "Σs", "2020, eq. 4")
+    """Length of all contact lines together."""
     lines: tuple[ContactLine, ...]  # lines on their loaded flanks
     force_error: float  # bound of the error of `force`, N
     moment_error: float  # bound of the error of `moment`, N*m
     # Largest relative error of `moment`, `max_line_load`, `total_length` and `force`; the error of
     # the force is over M1/R_C if that is larger, as the rollers' forces may cancel.
-    accuracy: Accuracy
-    notices: tuple[Notice, ...]
+    accuracy: Accuracy = answer()
+    notices: tuple[Notice, ...] = answer()
 
 
 def meshing_load(

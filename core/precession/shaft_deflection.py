@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from core.arrays import Vector
 from core.errors import Accuracy, Notice, poorly_known
+from core.fields import answer
 from core.precession.shaft import (
     Plane,
     ShaftSection,
@@ -28,29 +29,41 @@ LARGE_DEFLECTION = 0.1
 class Deflection:
     """Deflection of a place on the shaft, m, or slope there, rad, in the two planes."""
 
-    x: float  # in the plane xz
-    y: float  # in the plane yz
-    total: float  # sqrt(x^2 + y^2)
+    x: float = answer()
+    """Component in the plane of X."""
+    y: float = answer()
+    """Component in the plane of Y."""
+    total: float = answer()
+    """Resultant of both planes."""
 
 
 @dataclass(frozen=True, slots=True)
 class ShaftDeflection:
     """Reactions and deflections of the shaft."""
 
-    reaction_B: Plane  # force (x, y) of the shaft on the satellite at B, N
-    reaction_C: Plane  # force (x, y) of the shaft on the satellite at C, N
-    deflection_B: Deflection  # at B, positive along the satellite's forces on the shaft
-    deflection_C: Deflection  # at C, positive along the satellite's forces on the shaft
-    slope_B: Deflection  # slope of the shaft at B
-    slope_C: Deflection  # slope of the shaft at C
-    # Deflection with the smallest diameter everywhere; None for a shaft of one diameter.
-    simplified_deflection_B: Deflection | None
-    simplified_deflection_C: Deflection | None  # deflection at C with the smallest diameter
-    simplification_error_B: float | None  # relative error of the simplified deflection at B
-    simplification_error_C: float | None  # relative error of the simplified deflection at C
+    reaction_B: Plane = answer("N", "B", "2020, eq. 30, 31")
+    """Reaction of the bearing B, X and Y."""
+    reaction_C: Plane = answer("N", "C", "2020, eq. 28, 29")
+    """Reaction of the bearing C, X and Y."""
+    deflection_B: Deflection = answer("mm", "Δ_B", "2020, eq. 34, 36")
+    """Deflection of the shaft at B."""
+    deflection_C: Deflection = answer("mm", "Δ_C", "2020, eq. 33, 35")
+    """Deflection of the shaft at C."""
+    slope_B: Deflection = answer("mrad", "θ_B", "Mohr")
+    """Slope of the shaft at B."""
+    slope_C: Deflection = answer("mrad", "θ_C", "Mohr")
+    """Slope of the shaft at C."""
+    simplified_deflection_B: Deflection | None = answer("mm", "Δ_B", "2020, eq. 34, 36")
+    """Deflection at B of a shaft with one diameter, if the shaft has steps."""
+    simplified_deflection_C: Deflection | None = answer("mm", "Δ_C", "2020, eq. 33, 35")
+    """Deflection at C of a shaft with one diameter, if the shaft has steps."""
+    simplification_error_B: float | None = answer()
+    """Simplified over exact deflection at B, less 1."""
+    simplification_error_C: float | None = answer()
+    """Simplified over exact deflection at C, less 1."""
     # Largest relative error of reactions, slopes and deflections, as vectors, simplified ones too.
-    accuracy: Accuracy
-    notices: tuple[Notice, ...]
+    accuracy: Accuracy = answer()
+    notices: tuple[Notice, ...] = answer()
 
 
 def shaft_deflection(

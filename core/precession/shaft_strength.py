@@ -6,36 +6,44 @@ from dataclasses import dataclass
 
 from core.errors import NotKnown, required
 from core.fatigue import CycleFatigue, FatigueStrength, judge_cycle
+from core.fields import answer, answered
 from core.precession.shaft import Plane, ShaftSection, shaft_pieces
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ShaftStrength:
     """Bending stress of the shaft, without torsion."""
 
-    bending_moment_B: float  # N*m
-    bending_moment_clamp: float  # N*m
-    peak_stress: float  # largest bending stress, Pa, without a notch
-    peak_stress_position: float  # place of the largest stress, m from C towards the clamp
+    bending_moment_B: float = answer("Nm", "M_B", "|C|·a")
+    """Bending moment at B."""
+    bending_moment_clamp: float = answer("Nm", "M", "|C·(a + b) + B·b|")
+    """Bending moment at the clamp."""
+    peak_stress: float = answer("MPa", "σ")
+    """Largest bending stress, 32·M/(π·d³)."""
+    peak_stress_position: float = answer("mm")
+    """Position of the largest stress, from C towards the clamp."""
     yield_strength: float | None  # Re, Pa, where known
     # Cycle and place, m from C, of the section of least safety; None if no cycle is judged.
     worst: tuple[CycleFatigue, float] | None
 
     @property
+    @answered("", "S", optional=True)
     def static_safety_factor(self) -> float:
-        """Yield strength Re over the largest bending stress; `NotKnown` for an unloaded shaft."""
+        """Yield strength over the largest bending stress, if the yield strength is given."""
         if not self.peak_stress:
             raise NotKnown("unloaded")
         return required(self.yield_strength, "yield_unknown") / self.peak_stress
 
     @property
+    @answered(optional=True)
     def fatigue(self) -> CycleFatigue:
-        """Stress cycle of the section of least safety; `NotKnown` for a steady load."""
+        """Stress cycle of the section of least safety; absent for a steady load."""
         return required(self.worst, "steady_load")[0]
 
     @property
+    @answered("mm", optional=True)
     def cycle_position(self) -> float:
-        """Place of the section of least fatigue safety, m from C; `NotKnown` for a steady load."""
+        """Position of the worst stress cycle, from C towards the clamp."""
         return required(self.worst, "steady_load")[1]
 
 

@@ -13,6 +13,7 @@ from typing import Any
 from core.arrays import IntArray, Number, ascending, check_not_negative, check_positive, smaller
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.fatigue import CycleFatigue, FatigueStrength, judge_cycle
+from core.fields import answer, answered
 from core.hertz import check_poissons_ratio
 from core.load_sharing import share_load
 from core.precision import ROUNDING
@@ -114,36 +115,46 @@ def roller_arguments(**given: Any) -> dict[str, Any]:
     return made
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class RollerStrength:
     """Load sharing and strength of swinging rollers of one design or of an array of designs."""
 
-    stiffness: Number  # stiffness c of one end of a roller, N/m
-    relative_stiffness: Number  # c/(b*E)
-    mean_force: Number  # mean force F_avg on one end of a roller, N
-    # delta = c*chi/F_avg; with given gaps chi is the tolerance with an equal mean gap.
-    relative_position_error: Number
-    load_nonuniformity: Number  # Psi, largest over mean force, from 1 to the number of rollers
-    max_force: Number  # largest force F_1 on one end of a roller, N
-    centre_force: Number  # force F_0 = 2*F_1 on the middle of the most loaded roller, N
-    # Force on one end of each roller, N; with a tolerance the first roller is the one ahead.
-    forces: tuple[Number, ...]
-    # Displacement Delta of the disc's holes against the satellites' holes, m, from the zero of the
-    # gaps; with a tolerance from the first contact.
-    displacement: Number
-    bending_moment: Number  # largest moment, beside the middle sphere, N*m
-    bending_stress: Number  # largest stress sigma, beside the middle sphere, Pa
-    relative_stress: Number  # sigma/E, shown in fig. 6 of the source
-    loaded_rollers: int | IntArray  # number of rollers that carry a force
+    stiffness: Number = answer("N_per_mm", "c", "2019, eq. 9")
+    """Stiffness of a roller."""
+    relative_stiffness: Number = answer("", "c/(bE)", "2019, eq. 10")
+    """Stiffness over width of the sphere and modulus."""
+    mean_force: Number = answer("N", "F_avg", "2019, eq. 2")
+    """Mean force of a roller."""
+    relative_position_error: Number = answer("", "δ", "2019, eq. 6")
+    """Stiffness times position tolerance over mean force."""
+    load_nonuniformity: Number = answer("", "Ψ", "2019, eq. 6")
+    """Largest force over mean force."""
+    max_force: Number = answer("N", "F_1", "2019, eq. 2, 11")
+    """Largest force of a roller."""
+    centre_force: Number = answer("N", "2F_1", "2019, eq. 2")
+    """Force on the middle sphere of the roller with the largest force."""
+    forces: tuple[Number, ...] = answer("N", "F_i", "2019, eq. 5")
+    """Force of each roller."""
+    displacement: Number = answer("mm", "Δ", "2019, eq. 5")
+    """Displacement of the disc's holes against the satellites'."""
+    bending_moment: Number = answer("Nm", "M", "2019, eq. 4")
+    """Bending moment at the middle sphere."""
+    bending_stress: Number = answer("MPa", "σ", "2019, eq. 12")
+    """Bending stress at the middle sphere."""
+    relative_stress: Number = answer("", "σ/E", "2019, fig. 6")
+    """Bending stress over the modulus of elasticity."""
+    loaded_rollers: int | IntArray = answer()
+    """Number of rollers that carry."""
     length_ratio: Number  # length of the cylinder over its diameter
     sphere_ratio: Number  # diameter of a sphere over that of the cylinder
     width_ratio: Number  # width of a sphere over its diameter
     deflection_ratio: Number  # deflection of the most loaded roller over its length
     # Error relative to each number; for single forces relative to the largest force; for the
     # displacement and the relative position error relative to the largest gap's, if that is more.
-    accuracy: Accuracy
+    accuracy: Accuracy = answer()
 
     @property
+    @answered()
     def notices(self) -> tuple[Notice, ...]:
         """Notices on assumptions that one design (not an array) strains."""
         strained = {

@@ -9,6 +9,7 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.errors import InvalidInput
+from core.fields import answer
 
 CONFIDENCE = 0.95
 
@@ -17,9 +18,12 @@ CONFIDENCE = 0.95
 class Estimate:
     """Number with its 95 % interval."""
 
-    value: float  # estimated number
-    low: float  # lower end of the interval
-    high: float  # upper end of the interval
+    value: float = answer()
+    """Estimate of the quantity."""
+    low: float = answer()
+    """Lower end of its 95 % interval."""
+    high: float = answer()
+    """Upper end of its 95 % interval."""
 
 
 REACH = 12.0

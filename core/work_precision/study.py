@@ -12,6 +12,8 @@ from typing import Any
 
 import numpy as np
 
+from core.fields import answer, answered
+
 REFERENCE_DIGITS = 40
 """Digits of a reference in multiple precision."""
 
@@ -39,36 +41,46 @@ class Method:
     values: Sequence[float] = (0.0,)  # values of the setting that it is run at
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class WorkPoint:
     """One method at one setting."""
 
-    method: str  # a key of `core.errors.METHODS`
-    setting: str  # a key of `SETTINGS`
+    method: str = answer()
+    """Method, in English."""
+    setting: str = answer()
+    """Setting that is varied, in English."""
     value: float  # number of samples, nodes or pieces
-    relative_error: float  # measured against the reference
-    run_time: float  # median, s
-    evaluations: int  # how often the function behind the method was evaluated
+    relative_error: float = answer()
+    """Relative error against the reference."""
+    run_time: float = answer("us")
+    """Run time."""
+    evaluations: int = answer()
+    """Number of evaluations of the method's function."""
 
 
 @dataclass(frozen=True, slots=True)
 class Reference:
     """Value against which errors are measured."""
 
-    method: str  # a key of `core.errors.METHODS`
-    digits: int = REFERENCE_DIGITS  # with which it was calculated
+    method: str = answer()
+    """Method of the reference, in English."""
+    digits: int = answer(default=REFERENCE_DIGITS)
+    """Number of correct decimal digits."""
 
 
 @dataclass(frozen=True, slots=True)
 class WorkPrecision:
     """Error against run time of the methods of a calculation."""
 
-    reference: Reference
-    points: tuple[WorkPoint, ...]  # all methods at all settings that can be had
+    reference: Reference = answer()
+    """Reference against which the errors are measured."""
+    points: tuple[WorkPoint, ...] = answer()
+    """Results of every method at each of its settings."""
 
     @property
+    @answered()
     def chosen(self) -> WorkPoint:
-        """The last point: the calculators' method."""
+        """Method that the calculators use."""
         return self.points[-1]
 
 
