@@ -89,42 +89,34 @@ optional_size = partial(size, default=None)
 
 
 class Output(NamedTuple):
-    """Unit, symbol and source of a quantity of a result, as answers have it."""
+    """Unit, symbol and source of a quantity of a result, as answers have it; in a NamedTuple it
+    stands in the type of the field.
+    """
 
-    unit: str  # end of the name in answers, a key of `app.units.UNITS`
-    symbol: str  # symbol in the nomenclature
-    equation: str  # source with the number of the equation, or the formula
-    depth: int  # number of axes of an array
-    optional: bool  # True for a property that raises `NotKnown` without its data
+    unit: str = ""  # end of the name in answers, a key of `app.units.UNITS`
+    symbol: str = ""  # symbol in the nomenclature
+    equation: str = ""  # source with the number of the equation, or the formula
+    depth: int = 1  # number of axes of an array
+    optional: bool = False  # True for a property that raises `NotKnown` without its data
 
 
 def answer(
-    unit: str = "",
-    symbol: str = "",
-    equation: str = "",
-    *,
-    depth: int = 1,
-    default: Any = MISSING,
+    unit: str = "", symbol: str = "", equation: str = "", *, default: Any = MISSING, depth: int = 1
 ) -> Any:
     """Field of a result that answers have."""
-    return field(default=default, metadata={"output": Output(unit, symbol, equation, depth, False)})
+    return field(default=default, metadata={"output": Output(unit, symbol, equation, depth)})
 
 
 Method = TypeVar("Method", bound=Callable[[Any], Any])
 
 
 def answered(
-    unit: str = "",
-    symbol: str = "",
-    equation: str = "",
-    *,
-    depth: int = 1,
-    optional: bool = False,
+    unit: str = "", symbol: str = "", equation: str = "", **more: Any
 ) -> Callable[[Method], Method]:
-    """Decorator of the method of a property that answers have."""
+    """Decorator of the method of a property that answers have; `more` is of `Output`."""
 
     def marked(method: Method) -> Method:
-        vars(method)["output"] = Output(unit, symbol, equation, depth, optional)
+        vars(method)["output"] = Output(unit, symbol, equation, **more)
         return method
 
     return marked
@@ -141,11 +133,19 @@ class Quantity(NamedTuple):
 
 def quantities_of(kind: Any) -> Collection[Quantity]:
     """Quantities of a result that answers have: fields first, then properties."""
-    found: dict[str, Quantity] = {}
     hints, helps = get_type_hints(kind), help_of(kind)
-    for name, each in getattr(kind, "__dataclass_fields__", {}).items():
-        if output := each.metadata.get("output"):
-            found[name] = Quantity(name, output, hints[name], helps.get(name, ""))
+    outputs = {
+        name: each.metadata.get("output")
+        for name, each in getattr(kind, "__dataclass_fields__", {}).items()
+    } or {
+        name: next(iter(getattr(each, "__metadata__", ())), None)
+        for name, each in kind.__annotations__.items()
+    }
+    found = {
+        name: Quantity(name, output, hints[name], helps.get(name, ""))
+        for name, output in outputs.items()
+        if output
+    }
     for name, each in chain.from_iterable(vars(owner).items() for owner in reversed(kind.__mro__)):
         method = getattr(each, "fget", None) or getattr(each, "calculate", None)
         if output := getattr(method, "output", None):

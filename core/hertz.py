@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Literal, NamedTuple, Self
+from typing import Annotated, Literal, NamedTuple, Self
 
 import numpy as np
 
@@ -38,6 +38,7 @@ from core.conformal import (
 )
 from core.contact_life import MOST_LOADS, LifeCurve, life_factor
 from core.errors import Accuracy, Notice, NotKnown, if_known, poorly_known, required
+from core.fields import Output, answered
 from core.numerics.inverse import edge
 from core.precision import ROUNDING
 
@@ -330,11 +331,12 @@ STRAIN_LIMIT = 0.02
 class BodySafety(NamedTuple):
     """Safety of one body of a contact against the limit of its own material."""
 
-    body: Body
+    body: Annotated[Body, Output()]
+    """Body that is judged."""
     limit: ContactLimit  # limit of its contact pressure
-    # Limit over governing pressure; under Hertz the load may grow with its square. NaN in an array
-    # where it is not known.
-    safety_factor: Number
+    safety_factor: Annotated[Number, Output()]
+    """Limit over governing pressure, with the life factor if there is one. The factor is a ratio of
+    pressures; the reserve of the load is its square as long as Hertz's pressure governs."""
 
 
 class ContactArc(NamedTuple):
@@ -351,28 +353,46 @@ class HertzContact(NamedTuple):
     Values that do not apply or are unknown are None; in an array NaN, or None if all are.
     """
 
-    max_pressure: Number  # Hertz pressure p0 in the middle, Pa
-    mean_pressure: Number  # pi/4*p0, Pa
-    half_width: Number  # a of the contact, m
-    half_width_ratio: Number  # a/r, r the pin radius: Hertz asks for a/r << 1
-    max_shear: Number  # largest shear stress below the surface, 0.300*p0, Pa
-    max_shear_depth: Number  # 0.786*a, m
-    reduced_radius: Number  # rho of the curvatures, m
-    effective_modulus: Number  # E*, Pa
+    max_pressure: Annotated[Number, Output("MPa", "p_0", "2018, eq. 2")]
+    """Largest pressure by Hertz."""
+    mean_pressure: Annotated[Number, Output("MPa", "p_m", "Johnson 4.2")]
+    """Mean pressure, π/4 of the largest."""
+    half_width: Annotated[Number, Output("mm", "a", "Johnson 4.2")]
+    """Half-width of the contact."""
+    half_width_ratio: Annotated[Number, Output("", "a/r")]
+    """Half-width over the radius of the pin."""
+    max_shear: Annotated[Number, Output("MPa", "τ_max", "Johnson 4.2")]
+    """Largest shear stress, below the surface."""
+    max_shear_depth: Annotated[Number, Output("mm", "z", "Johnson 4.2")]
+    """Depth of the largest shear stress."""
+    reduced_radius: Annotated[Number, Output("mm", "ρ", "2018, eq. 2")]
+    """Radius of relative curvature."""
+    effective_modulus: Annotated[Number, Output("GPa", "E*", "2018, eq. 2")]
+    """Contact modulus of both bodies."""
     mismatch: tuple[Number, Number]  # Dundurs' alpha and beta, positive where the pin is stiffer
     conformity: Number  # w/(E*(R - r)) of the line load w; large where pin and hole fit closely
-    conformal_pressure: Number | None  # largest pressure of the conformal contact (see `hertz`), Pa
-    conformal_half_angle: Number | None  # eps, half of the angle over which it extends, rad
-    conformal_half_angle_pin: Number | None  # half-angle seen from the pin's axis, rad
-    conformal_half_angle_hole: Number | None  # half-angle seen from the hole's axis, rad
-    conformal_half_length: Number | None  # half of the contact's length along the arc, m
-    edge_tension: Number | None  # hoop tension in the hole's rim at the ends of the contact, Pa
+    conformal_pressure: Annotated[Number | None, Output("MPa", "p_c", "Persson 1964")]
+    """Largest pressure of a contact that wraps around the pin, of any two materials; absent where
+    it lies less than 1 % above Hertz's."""
+    conformal_half_angle: Annotated[Number | None, Output("deg", "ε", "Persson 1964")]
+    """Half of the conformal contact's angle, seen from the middle between both axes."""
+    conformal_half_angle_pin: Annotated[Number | None, Output("deg", "ε·√(R/r)")]
+    """Half of the conformal contact's angle on the pin."""
+    conformal_half_angle_hole: Annotated[Number | None, Output("deg", "ε·√(r/R)")]
+    """Half of the conformal contact's angle on the hole."""
+    conformal_half_length: Annotated[Number | None, Output("mm", "ε·√(r·R)")]
+    """Half of the conformal contact's length along the arc."""
+    edge_tension: Annotated[Number | None, Output("MPa", "σ_t")]
+    """Hoop tension in the rim of the hole at the ends of the conformal contact."""
     # Pressure to be judged, Pa: the conformal one where it applies, else Hertz's; NaN where the
     # contact would wrap around more than half of the pin.
     governing: Number
-    safety: tuple[BodySafety, ...]  # bodies whose limit is known, under the governing pressure
-    safety_factor: Number | None  # smaller one of both bodies, where both are known
-    accuracy: Accuracy
+    safety: Annotated[tuple[BodySafety, ...], Output()]
+    """Safety of each body whose limit is known; absent if neither is known."""
+    safety_factor: Annotated[Number | None, Output()]
+    """Smaller of both bodies' safety factors; absent if one is not known. The factor is a ratio of
+    pressures; the reserve of the load is its square as long as Hertz's pressure governs."""
+    accuracy: Annotated[Accuracy, Output()]
 
     @property
     def is_conformal(self) -> bool:
@@ -389,13 +409,17 @@ class HertzContact(NamedTuple):
         )
 
     @property
+    @answered("MPa", optional=True)
     def governing_pressure(self) -> Number:
-        """Pressure to be judged, Pa; `NotKnown` if it wraps around more than half of the pin."""
+        """Pressure that is judged: the conformal pressure if it is given, else Hertz's; absent if
+        the contact would wrap around more than half of the pin.
+        """
         if isinstance(self.governing, float) and math.isnan(self.governing):
             raise NotKnown("contact_wraps")
         return self.governing
 
     @property
+    @answered()
     def notices(self) -> tuple[Notice, ...]:
         """Limits of validity that a single contact (no array) exceeds."""
         unknown, strain = (

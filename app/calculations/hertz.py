@@ -19,7 +19,6 @@ from pydantic_core import PydanticCustomError
 from app.fields import JSON_FORMS, JsonForm, SectionFields
 from app.model import (
     UNION_TAGS,
-    AccuracyOut,
     AssumingResponse,
     Calculation,
     Maybe,
@@ -27,7 +26,6 @@ from app.model import (
     ResponseModel,
     Size,
     Values,
-    WarningOut,
     WorkedFields,
     no_dust,
     present,
@@ -335,10 +333,9 @@ class LifeOut(ResponseModel):
         }
 
 
-class SafetyOut(ResponseModel):
+class SafetyOut(ResponseModel, of=BodySafety):
     """One body judged by the limit of its own material under the governing pressure."""
 
-    body: Literal["pin", "hole"] = result("Body that is judged.")
     limit_MPa: float = result("Limit of the pressure.", symbol="p_P")
     criterion: Criterion = result("Kind of damage that the limit guards against.")
     source: Maybe[str] = result(
@@ -348,11 +345,6 @@ class SafetyOut(ResponseModel):
     life: Maybe[LifeOut] = Field(
         description="Fall of the limit over the life, by 1e10 loads if no speed is given; absent "
         "if no curve is known."
-    )
-    safety_factor: float = Field(
-        description="Limit over governing pressure, with the life factor if there is one. The "
-        "factor is a ratio of pressures; the reserve of the load is its square as "
-        "long as Hertz's pressure governs."
     )
 
     @classmethod
@@ -378,66 +370,10 @@ def _judged_by(body: str, limit: ContactLimit) -> Values:
     return present(values)
 
 
-class HertzResponse(AssumingResponse):
+class HertzResponse(AssumingResponse, of=HertzContact):
     """Stress of the line contact of pin and hole."""
 
-    max_pressure_MPa: float = result(
-        "Largest pressure by Hertz.", symbol="p_0", equation="2018, eq. 2"
-    )
-    mean_pressure_MPa: float = result(
-        "Mean pressure, π/4 of the largest.", symbol="p_m", equation="Johnson 4.2"
-    )
-    half_width_mm: float = result("Half-width of the contact.", symbol="a", equation="Johnson 4.2")
-    half_width_ratio: float = result("Half-width over the radius of the pin.", symbol="a/r")
-    max_shear_MPa: float = result(
-        "Largest shear stress, below the surface.", symbol="τ_max", equation="Johnson 4.2"
-    )
-    max_shear_depth_mm: float = result(
-        "Depth of the largest shear stress.", symbol="z", equation="Johnson 4.2"
-    )
-    reduced_radius_mm: float = result(
-        "Radius of relative curvature.", symbol="ρ", equation="2018, eq. 2"
-    )
-    effective_modulus_GPa: float = result(
-        "Contact modulus of both bodies.", symbol="E*", equation="2018, eq. 2"
-    )
-    conformal_pressure_MPa: Maybe[float] = result(
-        "Largest pressure of a contact that wraps around the pin, of any two materials; absent "
-        "where it lies less than 1 % above Hertz's.",
-        symbol="p_c",
-        equation="Persson 1964",
-    )
-    conformal_half_angle_deg: Maybe[float] = result(
-        "Half of the conformal contact's angle, seen from the middle between both axes.",
-        symbol="ε",
-        equation="Persson 1964",
-    )
-    conformal_half_angle_pin_deg: Maybe[float] = result(
-        "Half of the conformal contact's angle on the pin.", symbol="ε·√(R/r)"
-    )
-    conformal_half_angle_hole_deg: Maybe[float] = result(
-        "Half of the conformal contact's angle on the hole.", symbol="ε·√(r/R)"
-    )
-    conformal_half_length_mm: Maybe[float] = result(
-        "Half of the conformal contact's length along the arc.", symbol="ε·√(r·R)"
-    )
-    edge_tension_MPa: Maybe[float] = result(
-        "Hoop tension in the rim of the hole at the ends of the conformal contact.", symbol="σ_t"
-    )
-    governing_pressure_MPa: Maybe[float] = Field(
-        description="Pressure that is judged: the conformal pressure if it is given, else "
-        "Hertz's; absent if the contact would wrap around more than half of the pin."
-    )
-    safety: Maybe[list[SafetyOut]] = Field(
-        description="Safety of each body whose limit is known; absent if neither is known."
-    )
-    safety_factor: Maybe[float] = Field(
-        description="Smaller of both bodies' safety factors; absent if one is not known. The "
-        "factor is a ratio of pressures; the reserve of the load is its square as "
-        "long as Hertz's pressure governs."
-    )
-    accuracy: AccuracyOut
-    warnings: Maybe[list[WarningOut]] = None
+    safety: Maybe[list[SafetyOut]]
 
     @classmethod
     def values(

@@ -108,12 +108,6 @@ class CyclogramFields(MechanismFields, RangeFields):
 class DrivingPairOut(PairOut, of=DrivingPair):
     """Driving phases of one pair."""
 
-    driving_deg: list[Range] = result(
-        "Ranges of crank angle within a period in which the pair drives.",
-        symbol="φ",
-        equation="2021, eq. 6",
-    )
-
 
 class CountIntervalOut(ResponseModel, of=CountInterval):
     """Range of the crank angle with one number of driving pairs."""

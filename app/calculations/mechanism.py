@@ -33,7 +33,7 @@ from core.errors import InvalidInput, Notice
 from core.output.contact_force import PairNumber
 from core.output.mechanism import MAX_SATELLITES as MAX_SATELLITES
 from core.output.mechanism import Mechanism, Members, ratio_from_teeth
-from core.output.room import Rooms
+from core.output.room import Binding, Rooms
 
 MAX_DRAWN_PAIRS = 240
 """Largest number of pairs in a figure."""
@@ -253,9 +253,6 @@ class MechanismFields(SectionFields, of=MechanismSection, group="mechanism"):
 class PairOut(ResponseModel, of=PairNumber):
     """Pair of hole and pin by number."""
 
-    satellite: int = result("Number of the satellite, from 1.", symbol="j")
-    pin: int = result("Number of the pin, from 1.", symbol="n")
-
 
 Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
 
@@ -339,12 +336,8 @@ class PinContactFields(ContactFields, of=Contact, group="contact"):
         return self.in_si
 
 
-class BindingOut(PairOut):
+class BindingOut(PairOut, of=Binding):
     """Pair that limits the room."""
-
-    side: Literal["driving", "reverse", "radial"] = result(
-        "Sense of the output in which the pair limits the rotation; radial if in neither."
-    )
 
 
 class FitOut(ResponseModel):

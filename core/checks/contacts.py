@@ -302,7 +302,7 @@ def _pressed(results: Results, *, static: bool) -> Pressed:
     if design.gear.kind == "involute":
         factor = design.static_torque / design.pin_torque if static else design.load_factor
         load = results.ring.involute_load(factor)
-        pressure = required(load.pressure_start, "off_involutes")
+        pressure = required(load.pressure_one_pair_start, "off_involutes")
         error = float(load.accuracy.relative_error) + torque_error(results)
         return Pressed(pressure, error, results.solved, {})
     turn = results.ring.static if static else results.ring.loading

@@ -272,7 +272,7 @@ def torque_error(results: Results) -> float:
 )
 def mesh_root_stress(kind: Kind, design: Design, results: Results) -> Check:
     """Judge the root stress with the whole force at the tip of one tooth."""
-    stress, given = results.ring.root_stress.stress, design.involute.root_strength
+    stress, given = results.ring.root_stress.root_stress_one_pair, design.involute.root_strength
     strength = judged_by(given, "root_strength_unknown", "gear.root_strength", value=stress)
     limit = strength / design.requirements.fatigue_safety
     return kind.judged(

@@ -22,13 +22,13 @@ import operator
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple, NoReturn
+from typing import Annotated, NamedTuple, NoReturn
 
 import numpy as np
 
 from core.arrays import FloatArray, check_not_negative, check_positive, check_single
 from core.errors import Accuracy, ImpossibleMechanism, InvalidInput, Notice, poorly_known
-from core.fields import answer, answered
+from core.fields import Output, answer, answered
 from core.output.driving_set import segments
 from core.output.force_laws import force_law
 from core.output.mechanism import Mechanism, WavePhases, pressure_cosines
@@ -43,8 +43,8 @@ class DrivingPair(NamedTuple):
 
     satellite: int  # from 1
     pin: int  # from 1
-    # Crank angles from and to which the pair drives, rad, cut at the ends of the range.
-    driving: tuple[tuple[float, float], ...]
+    driving: Annotated[tuple[tuple[float, float], ...], Output("deg", "φ", "2021, eq. 6")]
+    """Ranges of crank angle within a period in which the pair drives."""
 
 
 class CountInterval(NamedTuple):
@@ -483,8 +483,10 @@ def _best_pair(phases: WavePhases, position: float) -> tuple[int, int]:
 class PairNumber(NamedTuple):
     """Satellite and pin of a pair."""
 
-    satellite: int  # from 1
-    pin: int  # from 1
+    satellite: Annotated[int, Output("", "j")]
+    """Number of the satellite, from 1."""
+    pin: Annotated[int, Output("", "n")]
+    """Number of the pin, from 1."""
 
 
 @dataclass(frozen=True, slots=True)

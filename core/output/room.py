@@ -213,7 +213,8 @@ class Binding:
 
     satellite: int  # from 1
     pin: int  # from 1
-    side: Side  # sense in which the pair holds the output, or radial
+    side: Side = answer()
+    """Sense of the output in which the pair limits the rotation; radial if in neither."""
 
 
 @dataclass(frozen=True, slots=True)

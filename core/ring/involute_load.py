@@ -5,7 +5,7 @@ on a part of the path; at the start of the path, where pressure is largest, it i
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 import numpy as np
 
@@ -30,16 +30,20 @@ end is excluded."""
 class PairForce:
     """Force between one pair of flanks that carries the whole torque of a planet."""
 
-    normal: float  # F_bn along the line of action, N
-    tangential: float  # component across the crank, N
-    radial: float  # component along the crank, to the reducer's axis, N
+    normal_force: float = answer("N", "F_bn")
+    """Force along the line of action."""
+    tangential_force: float = answer("N")
+    """Component of the force across the crank."""
+    radial_force: float = answer("N")
+    """Component of the force along the crank, towards the axis."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class RootStress:
     """Bending stress in the root of the planet's teeth with the force at the tip (ISO 6336-3)."""
 
-    chord: float  # s_Fn, m
+    root_chord: float = answer("mm", "s_Fn")
+    """Chord of the critical section."""
     fillet_radius: float = answer("mm", "ρ_F")
     """Radius of the fillet at the critical section."""
     moment_arm: float = answer("mm", "h_Fe")
@@ -50,19 +54,22 @@ class RootStress:
     """Form factor, from lever arm and chord."""
     stress_correction: float = answer("", "Y_S")
     """Stress correction factor, from the notch."""
-    stress: float  # sigma_F, Pa
+    root_stress_one_pair: float = answer("MPa", "σ_F")
+    """Root stress if one pair carries the whole load."""
 
 
-@dataclass(frozen=True)
-class InvoluteLoad:
-    """Force and Hertz pressures of a planet's teeth under its torque."""
+@dataclass(frozen=True, kw_only=True)
+class InvoluteLoad(PairForce):
+    """Force without the load factor and Hertz pressures of a planet's teeth under its torque."""
 
-    force: PairForce  # force without the load factor
-    # Hertz pressure of one pair, Pa; None if the planet has no involute at that place.
-    pressure_start: float | None  # at the start of the path, the largest one
-    pressure_end: float | None  # at the end of the path
-    # Pressure at the pitch point, as ISO 6336-2 takes it, even if that is off the path.
-    pressure_at_pitch_point: float | None
+    pressure_one_pair_start: float | None = answer("MPa")
+    """Largest contact pressure, at the start of the path of contact; absent if the path does not
+    start on an involute."""
+    pressure_one_pair_end: float | None = answer("MPa")
+    """Contact pressure at the end of the path of contact."""
+    iso_pressure_at_pitch_point: float | None = answer("MPa")
+    """Contact pressure at the pitch point by ISO 6336-2, for comparison, as the pitch point need
+    not lie on the path of contact."""
     accuracy: Accuracy
 
 
@@ -104,7 +111,7 @@ def pressure_along(
     """
     check_positive(torque=torque, contact_length=contact_length, load_factor=load_factor)
     modulus = effective_modulus(first=satellite_material, second=ring_material)
-    line, force = pair.line, pair_force(pair=pair, torque=torque).normal
+    line, force = pair.line, pair_force(pair=pair, torque=torque).normal_force
     reduced = line.reduced_radius(np.where(np.greater(roll, 0), roll, np.nan))
     return np.sqrt(load_factor * force / contact_length * modulus / (math.pi * reduced))
 
@@ -145,10 +152,10 @@ def involute_load(
     rounded = pair.accuracy.relative_error
     error = rounded + 4 * ROUNDING / max(pair.start_roll, ROUNDING)
     return InvoluteLoad(
-        force=pair_force(pair=pair, torque=torque),
-        pressure_start=start,
-        pressure_end=end,
-        pressure_at_pitch_point=at_pitch,
+        **asdict(pair_force(pair=pair, torque=torque)),
+        pressure_one_pair_start=start,
+        pressure_one_pair_end=end,
+        iso_pressure_at_pitch_point=at_pitch,
         accuracy=Accuracy("closed_form", error, 1),
     )
 
@@ -197,13 +204,13 @@ def root_stress(
     correction = (1.2 + 0.13 * slender) * notch ** (1 / (1.21 + 2.3 / slender))
     nominal = load_factor * torque / (line.module * z / 2) / (contact_length * m)
     return RootStress(
-        chord=chord * m,
+        root_chord=chord * m,
         fillet_radius=radius * m,
         moment_arm=arm * m,
         load_angle=load_angle,
         form_factor=form,
         stress_correction=correction,
-        stress=nominal * form * correction,
+        root_stress_one_pair=nominal * form * correction,
     )
 
 
