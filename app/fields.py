@@ -4,7 +4,7 @@ conversion to SI units follow.
 """
 
 import math
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import MISSING, fields, is_dataclass
 from functools import cache, cached_property, reduce
@@ -18,6 +18,7 @@ from typing import (
     ClassVar,
     NamedTuple,
     Self,
+    TypeVar,
     cast,
     get_args,
     get_type_hints,
@@ -27,11 +28,15 @@ from pydantic import AfterValidator, BeforeValidator, model_validator
 from pydantic import Field as Limits
 from pydantic.fields import FieldInfo
 
-from app.model import NO_DUST, Maybe, RequestModel, no_dust, quantity, whole
+from app.model import NO_DUST, Maybe, RequestModel, Values, core_names, no_dust, quantity, whole
 from app.rules import Rule, field_error
 from app.units import Convert, from_si, refusal_params
-from core.errors import InvalidInput, NotKnown
+from core.design.stated import filled as filled_by_core
+from core.design.stated import section as section_of
+from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.fields import Input, help_of
+
+Request = TypeVar("Request", bound=RequestModel)
 
 LIMITED: Any = Annotated
 OPTIONAL: Any = Maybe
@@ -94,34 +99,55 @@ class SectionFields(RequestModel):
             cls.DOCUMENT = of
         super().__init_subclass__(group=group, **config)
 
+    WITHIN: ClassVar[bool] = False
+    """True if the section needs values of others."""
+
     @model_validator(mode="after")
     def _as_core_takes_it(self) -> Self:
-        if type(self).section is SectionFields.section:
-            with suppress(NotKnown):
-                try:
-                    self.section()
-                except InvalidInput as error:
-                    path = self.path_of(error.parameter)
-                    params = refusal_params(error.code, error.params, path)
-                    raise field_error("/".join(map(str, path)), error.code, **params) from error
-        return self
+        return self if self.WITHIN else as_core_takes_it(self, lambda: self.made)
+
+    @cached_property
+    def stated(self) -> dict[str, Any]:
+        """Stated values in SI units, by their names in core."""
+        named = core_names(type(self))
+        own, typed = self.to_core(), self.model_fields_set
+        return {core: own[core] for name, core in named.items() if name in typed and core in own}
+
+    @property
+    def kind_of_core(self) -> Any:
+        """Dataclass of the section."""
+        made = self.DOCUMENT
+        return made[self.kind] if isinstance(made, Mapping) else made
 
     @cached_property
     def made(self) -> Any:
-        """Section in SI units, which the request alone says."""
-        return self.of_core()
+        """Section in SI units."""
+        return section_of(kind=self.kind_of_core, stated=self.stated)
 
-    def section(self, around: Any = None) -> Any:
-        """Section in SI units; `around` is the request."""
+    def section(self) -> Any:
+        """Section in SI units, as part of another one."""
         return self.made
 
-    def of_core(self, **derived: Any) -> Any:
-        """Dataclass in SI units, of given and derived values as far as it has their fields."""
-        made = self.DOCUMENT
-        if isinstance(made, Mapping):
-            made = made[self.kind]
-        own, names = self.to_core() | derived, {each.name for each in fields(made)}
-        return made(**{name: value for name, value in own.items() if name in names})
+    @property
+    def filled(self) -> Values:
+        """Values that core takes for fields that are not given."""
+        usual = filled_by_core(kind=self.kind_of_core, stated=self.stated)
+        named = core_names(type(self)).items()
+        return {name: from_si(name, usual[core]) for name, core in named if core in usual}
+
+
+def as_core_takes_it(request: Request, make: Callable[[], Any]) -> Request:
+    """Request from which core makes something; what core refuses of it is the error of a field."""
+    with suppress(NotKnown, ImpossibleMechanism):
+        try:
+            make()
+        except InvalidInput as error:
+            path = request.path_of(error.parameter)
+            if not path and isinstance(request, SectionFields):
+                return request  # the document names it
+            params = refusal_params(error.code, error.params, path)
+            raise field_error("/".join(map(str, path)), error.code, **params) from error
+    return request
 
 
 class RequestField(NamedTuple):

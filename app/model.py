@@ -353,6 +353,11 @@ def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
     return plan
 
 
+def core_names(model: type[RequestModel]) -> dict[str, str]:
+    """Names in core of the fields of a request."""
+    return {name: each.core for name, each in _core_plan(model).items()}
+
+
 def _section(part: Any) -> Any:
     return tuple(map(_section, part)) if isinstance(part, list) else part.section()
 

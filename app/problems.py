@@ -345,7 +345,7 @@ def _item(error: ErrorDetails, place: tuple[int | str, ...]) -> FieldProblem:
     if kind == "json_invalid":
         return wrong("", kind, error=context["error"])
     if kind == "field_error":
-        path += context["name"].split("/")
+        path += context["name"].split("/") if context["name"] else []
         return wrong(pointer(path), context["code"], **context["params"])
     if kind.startswith("union_tag"):
         path.append(context["discriminator"].strip("'"))

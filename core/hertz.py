@@ -9,7 +9,7 @@ below the surface, from mu of about 0.3 on at the surface and under a lower pres
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Annotated, Literal, NamedTuple, Self
 
@@ -170,6 +170,16 @@ class Plastic:
 
 
 @dataclass(frozen=True, slots=True)
+class BulkStrength:
+    """Strength of a body in bending, as far as it is known: that of the core if it is hardened."""
+
+    tensile_strength: float | None = None  # Rm, Pa
+    yield_strength: float | None = None  # Re or Rp0.2, Pa; None where it is that of the material
+    steel: bool = False  # True if a rule of the endurance limit exists for the material
+    valid_diameter: float | None = None  # largest diameter that the strengths hold for, m
+
+
+@dataclass(frozen=True, slots=True)
 class ElasticMaterial:
     """Isotropic elastic material of one body or of an array of bodies; None is an unknown value."""
 
@@ -186,6 +196,7 @@ class ElasticMaterial:
     least_modulus: float | None = None
     plastic: Plastic | None = None  # None for metals
     strengths: Spread | None = None  # if sources of a plastic differ, Pa; Re is the least
+    bulk: BulkStrength = field(default=BulkStrength(), compare=False)  # strength in bending
 
     def __post_init__(self) -> None:
         check_positive(youngs_modulus=self.youngs_modulus)

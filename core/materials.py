@@ -3,10 +3,10 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Literal, TypedDict, Unpack, cast
+from typing import Any, Literal, TypedDict, Unpack, cast
 
 from core.errors import InvalidInput
-from core.hertz import ContactLimit, ElasticMaterial, Layers, Plastic, Spread
+from core.hertz import BulkStrength, ContactLimit, ElasticMaterial, Layers, Plastic, Spread
 
 GROUPS = {
     "steel": "Steel",
@@ -137,6 +137,12 @@ class TableMaterial:
             **least,
             plastic=self._plastic if self.group in PLASTICS else None,
             strengths=self._strengths,
+            bulk=BulkStrength(
+                self.strength.tensile,
+                self.strength.yield_strength,
+                self.group == "steel",
+                self.strength.valid_diameter,
+            ),
         )
 
     @property
@@ -164,6 +170,27 @@ class TableMaterial:
 
 NOT_LISTED = TableMaterial("", "", "", {}, "", layered=True)
 """Material that is given by values alone."""
+
+
+STEELS = 190e9, 220e9
+"""Range of Young's moduli of steels, for which alone a rule of the endurance limit exists, Pa."""
+
+
+def like_steel(youngs_modulus: Any) -> bool:
+    """True if a material given by values counts as a steel."""
+    return bool(STEELS[0] <= youngs_modulus <= STEELS[1])
+
+
+def in_bending(material: ElasticMaterial) -> dict[str, Any]:
+    """Material of a part that bends and its strengths, by the names of `DesignPin`."""
+    bulk = material.bulk
+    yields = bulk.yield_strength or material.yield_strength
+    return {
+        "material": replace(material, yield_strength=yields),
+        "tensile_strength": bulk.tensile_strength,
+        "steel": bulk.steel,
+        "valid_diameter": bulk.valid_diameter,
+    }
 
 
 def by_values(
@@ -212,8 +239,12 @@ def by_values(
             strength_across=strength if layers == "upright" else None,
             long_term_factor=long_term_factor,
         )
+    bulk = made.bulk
+    if base is NOT_LISTED or tensile_strength or yield_strength:
+        bulk = BulkStrength(tensile_strength, steel=like_steel(made.youngs_modulus))
     return replace(
         made,
+        bulk=bulk,
         limit=limit or made.limit,
         yield_strength=made.yield_strength if strength is None else strength,
         strengths=made.strengths if strength is None else None,

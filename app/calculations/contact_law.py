@@ -1,15 +1,12 @@
 """Contact laws of a request: of pins in holes, and of disc teeth on ring pins."""
 
-from typing import Any, Literal
+from typing import Literal
 
-from app.calculations.hertz import material_of
 from app.fields import JSON_FORMS, JsonForm, SectionFields
 from app.model import Maybe, Size, quantity
 from core.output.elasticity import (
     LAWS,
     ContactLaw,
-    HertzLaw,
-    usual_law,
 )
 
 
@@ -25,19 +22,6 @@ class ContactLawFields(SectionFields, of=LAWS, group="contact_law"):
     """Hertz: line contact with a logarithmic approach; conformal: the hole wraps around the pin,
     and its approach is counted to a depth of three hole radii; Palmgren: steel rollers; linear;
     power. The default is conformal if a body is softer than 20 GPa, else Hertz."""
-
-    def section(self, around: Any = None) -> ContactLaw:
-        """Law in SI units; by the materials of the contact if no law is named."""
-        law: ContactLaw = super().section()
-        return law if self.given else law_by_materials(around.contact)
-
-
-def law_by_materials(contact: Any) -> ContactLaw:
-    """Contact law by the materials; any law without a contact, which is refused later."""
-    if not contact:
-        return HertzLaw()
-    pin, hole = material_of(contact.pin_material), material_of(contact.hole_material)
-    return usual_law(pin=pin, hole=hole)
 
 
 class MeshLawFields(
@@ -57,7 +41,7 @@ class MeshLawFields(
     """Depth to which the Hertz law counts the approach of pin and disc; the pin's radius if not
     given."""
 
-    def section(self, around: Any = None) -> ContactLaw | None:
+    def section(self) -> ContactLaw | None:
         """Law in SI units; None if no law is named."""
         return super().section() if self.given else None
 

@@ -4,7 +4,7 @@ them needs of it.
 
 import math
 from collections.abc import Iterator
-from dataclasses import fields, replace
+from dataclasses import replace
 from functools import cached_property
 from itertools import chain
 from typing import Any, ClassVar, Literal, Self, TypeVar, cast
@@ -17,7 +17,6 @@ from app.calculations.fatigue import PinFatigueFields
 from app.calculations.ideal_forces import CyclogramFields, force_of_one
 from app.calculations.mechanism import PinContactFields
 from app.calculations.pin import PinFields
-from app.calculations.pin_rollers import RollersFields
 from app.calculations.ring import RingFields
 from app.calculations.sections import (
     RING_PIN_LISTS,
@@ -27,17 +26,20 @@ from app.calculations.sections import (
     DesignLoadFields,
     DeviationsFields,
     FrictionFields,
+    RollersFields,
     SatelliteBodyFields,
     SatelliteCouplingFields,
     TemperaturesFields,
 )
 from app.calculations.tolerances import TolerancesFields
+from app.fields import as_core_takes_it
 from app.model import Maybe, RequestModel, Values, notices_of, result
-from app.rules import Rule, field_error
+from app.rules import field_error
 from app.settings import Settings
 from core.arrays import FloatArray
 from core.design.document import Design
 from core.design.results import Results
+from core.design.stated import KINDS, design_of, refuse_contradictions
 from core.errors import CalculationError, Notice, if_known, required
 from core.output.contact_force import drawing_angles
 from core.output.mechanism import Mechanism, Members, PinFit, pin_fit
@@ -49,12 +51,6 @@ Needs = tuple[str, ...]
 
 INSTEAD = {"friction": "rollers", "load/output_torque_Nm": "load/input_torque_Nm"}
 """Parts of a document that stand for others: rollers have friction."""
-
-OF_BOTH = "ring_speed_rpm", "carrier_speed_rpm"
-"""Speeds of which one is given if ring and pins are both outputs."""
-
-NO_COUPLING = ("crank_support", "satellite_coupling", "gear", "bearing", "crankshaft")
-"""Sections that a coupling of two shafts does not have."""
 
 TOUCHING: Needs = ("contact/pin_radius_mm", "contact/contact_length_mm")
 """Sizes of pins that touch their holes."""
@@ -90,10 +86,6 @@ PIN_SECTIONS = ("contact_law", "deviations", "pin", "crank_support", "satellite_
 ForcesUsed = Literal["ideal", "real"]
 
 
-USUAL_COUPLING = SatelliteCouplingFields(kind="ring")
-"""Coupling of a design without a stated one: both meshes in series, if they are known."""
-
-
 class DocumentFields(RequestModel):
     """Crank-planetary reducer, as far as it is given.
 
@@ -106,18 +98,11 @@ class DocumentFields(RequestModel):
     NEEDED_OF: ClassVar[dict[str, Needs]] = {}
     """Fields that the calculation needs of sections that are given."""
 
+    PIN_ALONE: ClassVar[bool] = False
+    """True if the calculation takes a pin that no contact loads."""
+
     USES: ClassVar[frozenset[str]] = frozenset()
     """Sections that the calculation uses."""
-
-    BETWEEN: ClassVar[tuple[Rule, ...]] = (
-        Rule("contact/pin_radius_mm", "needed_beside", "rollers"),
-        Rule("friction/coefficient", "only_one", "rollers/friction_coefficient"),
-        *(
-            Rule(path, "needed_beside", f"contact/{hole}")
-            for hole in ("hole_radius_mm", "hole_clearance_mm", "fit")
-            for path in TOUCHING
-        ),
-    )
 
     mechanism: CyclogramFields
     load: Maybe[DesignLoadFields] = None
@@ -139,63 +124,14 @@ class DocumentFields(RequestModel):
     requirements: ScopedRequirementsFields = Field(default_factory=ScopedRequirementsFields)
 
     @model_validator(mode="after")
+    def _agrees(self) -> Self:
+        return as_core_takes_it(self, lambda: refuse_contradictions(self.stated))
+
+    @model_validator(mode="after")
     def _has_what_it_needs(self) -> Self:
         for part in self.needs():
             if not self.has(part):
                 raise field_error(part, "missing")
-        return self
-
-    @model_validator(mode="after")
-    def _of_a_coupling(self) -> Self:
-        if self.mechanism.output == "coupling":
-            for name in NO_COUPLING:
-                if self.says(name):
-                    raise field_error(name, "of_other_output", output="coupling")
-        return self
-
-    @model_validator(mode="after")
-    def _speeds_of_both(self) -> Self:
-        load, both = self.load, self.mechanism.output == "both"
-        if load is None:
-            return self
-        given = [name for name in OF_BOTH if name in load.given]
-        driven = load.input_speed_rpm is not None
-        if given and not both:
-            raise field_error(f"load/{given[0]}", "of_other_output", output=self.mechanism.output)
-        if given and not driven:
-            raise field_error("load/input_speed_rpm", "needed_beside", field=given[0])
-        if both and not given and driven:
-            raise field_error(f"load/{OF_BOTH[0]}", "needed_beside", field="input_speed_rpm")
-        return self
-
-    @model_validator(mode="after")
-    def _pin_in_sleeve(self) -> Self:
-        if self.friction is not None and self.friction.sleeve and self.pin is None:
-            raise field_error("pin", "needed_beside", field="sleeve")
-        return self
-
-    @model_validator(mode="after")
-    def _teeth_agree(self) -> Self:
-        if self.gear is not None:
-            self.gear.refuse_other_teeth(self.mechanism.teeth_difference)
-            if self.says("contact/pin_radius_mm") or self.says("contact/hole_material"):
-                self.gear.refuse_other_discs(self.given["contact"].hole_material)
-        if self.ring_kind != "cycloid" and self.lists_ring_pins:
-            listed = next(n for n in RING_PIN_LISTS if self.says(f"deviations/{n}"))
-            raise field_error("gear", "needed_beside", field=listed)
-        return self
-
-    @model_validator(mode="after")
-    def _ring_in_series(self) -> Self:
-        coupling = self.satellite_coupling
-        if coupling is None or coupling.kind != "ring":
-            return self
-        if self.gear is None:
-            raise field_error("gear", "needed_beside", field="satellite_coupling")
-        if self.gear.kind != "cycloid":
-            raise field_error("gear/kind", "outside_method")
-        if self.contact is not None and self.contact.distribution_factor > 1:
-            raise field_error("contact/distribution_factor", "with_real_forces")
         return self
 
     @model_validator(mode="after")
@@ -246,12 +182,6 @@ class DocumentFields(RequestModel):
         """True if deviations of ring pins are listed."""
         return any(self.says(f"deviations/{name}") for name in RING_PIN_LISTS)
 
-    @property
-    def around_pins(self) -> list[dict[str, Any]]:
-        """Values that pins take from surrounding parts if not given, the nearest part first."""
-        given = self.given
-        return [given[name].surface for name in ("rollers", "contact") if name in given]
-
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Assumed values of used sections, with the material of pins taken from the contact."""
         yield from ((path, each) for path, each in super().assumed() if path[0] in self.uses)
@@ -272,7 +202,7 @@ class DocumentFields(RequestModel):
         gear = self.gear if "gear" in self.uses else None
         one_lobe_less = gear and gear.kind == "cycloid" and (gear.teeth_difference or 1) == 1
         if one_lobe_less and self.mechanism.teeth is None:
-            ratio = self.mechanism.ratio_given()
+            ratio = self.mechanism.made.ratio
             if not ratio.is_integer():
                 found += (Notice("ratio_not_whole", {"ratio": ratio}),)
         return found
@@ -302,22 +232,24 @@ class DocumentFields(RequestModel):
         """Crank, pins and ring, one of which is the output."""
         return self.mechanism.members
 
-    def parts(self) -> dict[str, Any]:
-        """Sections of the design that are used: no pins without a contact that loads them, and
-        both meshes in series if nothing else is stated of the satellites.
-        """
-        own = (each.name for each in OF_DESIGN if each.name in self.uses)
-        given = {name: self.given[name] for name in own if name in self.given}
-        if "contact" not in given:
-            given.pop("pin", None)
-        if "gear" in given and "satellite_coupling" in self.uses:
-            given.setdefault("satellite_coupling", USUAL_COUPLING)
+    @property
+    def used(self) -> frozenset[str]:
+        """Sections of the design that are used."""
+        return self.uses
+
+    @cached_property
+    def stated(self) -> dict[str, Values]:
+        """Stated values of all sections in SI units."""
+        given = {name: self.given[name].stated for name in KINDS if name in self.given}
+        if self.load and self.older_factor is not None:
+            factor = {"application_factor": self.older_factor}
+            given["load"] = given["load"] | factor
         return given
 
     @cached_property
     def design(self) -> Design:
         """Design in SI units."""
-        return Design(**{name: each.section(self) for name, each in self.parts().items()})
+        return design_of(self.stated, used=self.used, pin_alone=self.PIN_ALONE)
 
     @cached_property
     def results(self) -> Results:
@@ -340,9 +272,6 @@ class DocumentFields(RequestModel):
             eccentricity=contact.eccentricity,
             pin_circle_radius=(load.pin_circle_radius if load else None) or math.inf,
         )
-
-
-OF_DESIGN = fields(Design)
 
 
 class StrengthFields(DocumentFields):

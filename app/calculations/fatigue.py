@@ -5,9 +5,6 @@ from app.model import ResponseModel
 from core.design.sections import FatigueBasis
 from core.fatigue import CycleFatigue, EnduranceFactors
 
-STEEL_GPA = 190.0, 220.0
-"""Range of Young's moduli of steels, for which alone a rule of the endurance limit exists."""
-
 
 class FatigueFields(SectionFields, of=FatigueBasis, without=("life",), group="fatigue"):
     """Basis of the fatigue strength of a part."""

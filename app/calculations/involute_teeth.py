@@ -12,9 +12,6 @@ from app.units import from_si
 from core.ring.involute import InvolutePair
 from core.ring.involute_load import InvoluteLoad, RootStress
 
-RING_MATERIAL = "steel_structural"
-"""Material of the ring if it is not given."""
-
 
 class InvoluteGeometryOut(ResponseModel, of=InvolutePair):
     """Mesh of involute teeth of satellite and ring."""

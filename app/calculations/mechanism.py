@@ -2,10 +2,8 @@
 clearance and the sizes that follow; and the fit of pins in holes.
 """
 
-import math
 import re
 from collections.abc import Iterator
-from functools import cached_property
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
@@ -32,7 +30,7 @@ from core.design.tolerances import class_pattern
 from core.errors import InvalidInput, Notice
 from core.output.contact_force import PairNumber
 from core.output.mechanism import MAX_SATELLITES as MAX_SATELLITES
-from core.output.mechanism import Mechanism, Members, ratio_from_teeth
+from core.output.mechanism import Mechanism, Members
 from core.output.room import Binding, Rooms
 
 MAX_DRAWN_PAIRS = 240
@@ -111,48 +109,9 @@ class MechanismFields(SectionFields, of=MechanismSection, group="mechanism"):
         return data
 
     @model_validator(mode="after")
-    def _by_pins(self) -> Self:
-        if self.output == "crankshafts":
-            raise field_error("output", "not_this_mechanism")
-        return self
-
-    @model_validator(mode="after")
-    def _reduces(self) -> Self:
-        match self.given:
-            case {"ratio": ratio}:
-                self._refuse_ratio(ratio)
-            case {"satellite_teeth": satellite, "ring_teeth": ring} if ring > 2 * satellite:
-                more = {"limit": 2 * satellite, "field": "satellite_teeth"}
-                raise field_error("ring_teeth", "ratio_of_teeth", **more)
-            case {"output_ratio": _} | {"ring_teeth": _} | {"output": "coupling"}:
-                pass
-            case _:
-                raise field_error("ratio", "needed", field="satellite_teeth")
-        return self
-
-    def _refuse_ratio(self, ratio: float) -> None:
-        if ratio == 0:
-            raise field_error("ratio", "not_zero")
-        if abs(ratio) < 1:
-            raise field_error("ratio", "ratio_below_one", limit=1, offered=1 / ratio)
-        if ratio < 0 and self.output == "ring":
-            raise field_error("ratio", "sign_of_ring", offered=-ratio)
-
-    @model_validator(mode="after")
-    def _counts(self) -> Self:
-        own: Any = self
-        angles, given = own.crank_angles_deg, "satellites" in self.model_fields_set
-        if angles is not None and given and len(angles) != own.satellites:
-            count = {"expected": own.satellites, "actual": len(angles)}
-            raise field_error("crank_angles_deg", "different_length", **count)
-        if angles is not None:
-            own.satellites = len(angles)
-        if self.output == "coupling":
-            if "satellites" in self.model_fields_set and own.satellites > 1:
-                raise field_error("satellites", "one_of_coupling", limit=1)
-            own.satellites = 1
-        if self.pairs > MAX_PAIRS:
-            raise field_error("pins", "too_many_pairs", **self.most_pins(MAX_PAIRS))
+    def _counted(self) -> Self:
+        if self.output == "coupling" or self.crank_angles_deg:
+            self.satellites = self.made.satellites
         return self
 
     @property
@@ -206,48 +165,19 @@ class MechanismFields(SectionFields, of=MechanismSection, group="mechanism"):
                 return satellite, ring
         return None
 
-    @property
-    def teeth_difference(self) -> int | None:
-        """Teeth of the ring less those of a satellite, if they are given."""
-        match self.given:
-            case {"satellite_teeth": satellite, "ring_teeth": ring}:
-                return int(ring - satellite)
-        return None
-
     def notices(self) -> tuple[Notice, ...]:
         """Notice of a ratio with the sign of the output."""
         signed = (self.ratio or 0) < 0
-        return (Notice("ratio_sign", {"ratio": self.ratio_given()}),) if signed else ()
-
-    def ratio_given(self) -> float:
-        """Ratio u, given directly, by the ring or by teeth; infinite for a coupling."""
-        match self.given:
-            case {"ratio": ratio}:
-                return float(abs(ratio))
-            case {"output_ratio": ratio}:
-                return float(ratio - 1)
-            case {"satellite_teeth": satellite, "ring_teeth": ring}:
-                return ratio_from_teeth(satellite_teeth=satellite, ring_teeth=ring)
-        return math.inf
-
-    @cached_property
-    def in_si(self) -> MechanismSection:
-        """Mechanism in SI units."""
-        made: MechanismSection = self.of_core(ratio=self.ratio_given())
-        return made
-
-    def section(self, around: Any = None) -> MechanismSection:
-        """Section of the design in SI units."""
-        return self.in_si
+        return (Notice("ratio_sign", {"ratio": self.made.ratio}),) if signed else ()
 
     def mechanism(self) -> Mechanism:
         """The mechanism in SI units."""
-        return mechanism_of(self.in_si)
+        return mechanism_of(self.made)
 
     @property
     def members(self) -> Members:
         """Crank, pins and ring, one of which is the output."""
-        return Members(self.in_si.output, self.in_si.ratio)
+        return Members(self.made.output, self.made.ratio)
 
 
 class PairOut(ResponseModel, of=PairNumber):
@@ -298,14 +228,14 @@ class PinContactFields(ContactFields, of=Contact, group="contact"):
             return
         yield from super().assumed()
         if self.eccentricity_mm is None:
-            own: Contact = self.in_si
+            own: Contact = self.made
             gap = (own.hole_radius or 0.0) - (own.pin_radius or 0.0)
             yield ("eccentricity_mm",), round(from_si("eccentricity_mm", gap), 9)
 
     @property
     def clearance_unknown(self) -> bool:
         """True if pin and eccentricity are given, but the clearance is not known."""
-        contact: Contact = self.in_si
+        contact: Contact = self.made
         return contact.clearance_unknown
 
     def notices(self) -> tuple[Notice, ...]:
@@ -313,27 +243,9 @@ class PinContactFields(ContactFields, of=Contact, group="contact"):
         with an unknown one.
         """
         found = super().notices() + of_load_factor(self.dynamic_factor)
-        if self.in_si.clearance != 0:
+        if self.made.clearance != 0:
             return found
         return (*found, Notice("clearance_unknown" if self.clearance_unknown else "perfect_parts"))
-
-    @property
-    def surface(self) -> dict[str, Any]:
-        """Diameter, m, and material that pins take if they do not state them."""
-        radius = self.in_si.pin_radius
-        diameter = {} if radius is None else {"diameter": 2 * radius}
-        return diameter | {"material": self.pin_material}
-
-    @cached_property
-    def in_si(self) -> Contact:
-        """Contact in SI units."""
-        own = self.to_core()
-        own.pop("dynamic_factor", None)
-        return Contact.sized(**own)
-
-    def section(self, around: Any = None) -> Contact:
-        """Section of the design in SI units."""
-        return self.in_si
 
 
 class BindingOut(PairOut, of=Binding):

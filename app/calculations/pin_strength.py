@@ -71,9 +71,7 @@ class PinStrengthRequest(StrengthFields):
             raise field_error("pin/span_mm", "needed_for", section="support_bounds")
         return self
 
-    def parts(self) -> dict[str, Any]:
-        """Sections of the design, with the pin even if no contact loads it."""
-        return super().parts() | {"pin": self.pin}
+    PIN_ALONE: ClassVar[bool] = True
 
     def solve(self, *, locus: bool = False) -> PinStrength:
         """Strength of the pin."""

@@ -9,10 +9,8 @@ from pydantic import Field, model_validator
 
 from app.calculations.document import Needs
 from app.calculations.involute_mesh import drawn_path, pair_notices, solved_pair
-from app.calculations.involute_teeth import RING_MATERIAL
 from app.calculations.load_sharing_answer import StiffnessCurveOut
 from app.calculations.members_answer import at_output
-from app.calculations.ring import PIN_MATERIAL
 from app.calculations.ring_mesh_answer import (
     MeshPositionOut,
     MeshTurnOut,
@@ -43,6 +41,7 @@ from app.units import to_si
 from app.worked import worked
 from core.design.document import Design
 from core.design.ring import CycloidRing, InvoluteRing
+from core.design.stated import RING_MATERIAL, RING_PIN_MATERIAL
 from core.errors import InvalidInput, Notice
 from core.material_table import MATERIALS
 from core.output.real_curves import stiffness_curve
@@ -87,7 +86,7 @@ TORQUES = (-1.0, -0.75, -0.5, -0.25, -0.1, -0.03, 0.03, 0.1, 0.25, 0.5, 0.75, 1.
 
 
 MATERIALS_OF = {
-    "cycloid": ("pin_material", "disc_material", PIN_MATERIAL),
+    "cycloid": ("pin_material", "disc_material", RING_PIN_MATERIAL),
     "involute": ("ring_material", "satellite_material", RING_MATERIAL),
 }
 """Fields of the materials of ring and satellite by the kind of teeth, and the ring's usual one."""
@@ -164,12 +163,11 @@ class RingMeshRequest(SolvedFields, group="positions"):
         of_cycloids = ("deviations", "satellite_coupling")
         return frozenset((*RING_ALONE, *(of_cycloids if self.ring_kind == "cycloid" else ())))
 
-    def parts(self) -> dict[str, Any]:
+    @property
+    def used(self) -> frozenset[str]:
         """Sections of the design; of the coupling only given shares of the torque."""
-        given = super().parts()
-        if not (self.satellite_coupling and self.satellite_coupling.shares):
-            given.pop("satellite_coupling", None)
-        return given
+        shared = self.satellite_coupling and self.satellite_coupling.shares
+        return self.uses if shared else self.uses - {"satellite_coupling"}
 
     @cached_property
     def design(self) -> Design:

@@ -14,7 +14,7 @@ from app.calculations.checks import (
     fix_values,
     judgement,
 )
-from app.calculations.fatigue import STEEL_GPA, CycleOut, FatigueFields
+from app.calculations.fatigue import CycleOut, FatigueFields
 from app.model import (
     Calculation,
     Maybe,
@@ -49,6 +49,7 @@ from core.checks.plain import RollerDesign, roller_checks
 from core.errors import Notice, NotKnown
 from core.fatigue import CycleFatigue
 from core.fixes.plain import plain_fixes
+from core.materials import like_steel
 from core.rollers.roller_curves import RollerCurves, roller_curves
 from core.rollers.roller_strength import (
     RollerStrength,
@@ -198,7 +199,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
                 diameter=diameter,
                 tensile_strength=to_si("tensile_strength_MPa", self.tensile_strength_MPa),
                 yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
-                steel=STEEL_GPA[0] <= self.youngs_modulus_GPa <= STEEL_GPA[1],
+                steel=like_steel(to_si("youngs_modulus_GPa", self.youngs_modulus_GPa)),
             )
         except NotKnown as why:
             return Notice(why.code)
@@ -228,7 +229,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         limits: dict[str, Any] = {
             "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
             "eccentricity": to_si("eccentricity_mm", self.eccentricity_mm),
-            "requirements": self.requirements.section(self),
+            "requirements": self.requirements.section(),
         }
 
         def checked(

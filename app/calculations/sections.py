@@ -14,6 +14,7 @@ from core.design.sections import (
     CatalogueBearing,
     Friction,
     Load,
+    Rollers,
     RollingBearing,
     SatelliteBody,
     SeatedBearing,
@@ -91,14 +92,6 @@ class DesignLoadFields(LoadFields, of=Load, group="load"):
         """Notices, also of an application factor below 1."""
         return super().notices() + of_load_factor(self.application_factor)
 
-    def section(self, around: Any = None) -> Load:
-        """The load in SI units, with the torque of the output."""
-        factor = around.older_factor
-        older = {} if factor is None else {"application_factor": factor}
-        torque = self.torque(around.mechanism.members)
-        made: Load = self.of_core(output_torque=torque, **older)
-        return made
-
 
 class SatelliteBodyFields(SectionFields, of=SatelliteBody, group="satellite_body"):
     """Body of a satellite, as far as it is given."""
@@ -110,6 +103,10 @@ class TemperaturesFields(SectionFields, of=Temperatures, group="temperatures"):
 
 class FrictionFields(SectionFields, of=Friction, group="friction"):
     """Friction and wear of pin and hole, or of pin and sleeve."""
+
+
+class RollersFields(NamedBearingFields, of=Rollers, group="rollers"):
+    """Rolling bearings on the pins, whose outer rings roll in the holes."""
 
 
 class ShaftBearingFields(NamedBearingFields, of=CatalogueBearing, group="bearing"):

@@ -12,7 +12,7 @@ from app.calculations.checks import (
     fix_values,
     judgement,
 )
-from app.calculations.fatigue import STEEL_GPA, FatigueFields
+from app.calculations.fatigue import FatigueFields
 from app.calculations.hertz import Material, material_of
 from app.calculations.meshing_load import MeshFields
 from app.model import (
@@ -40,6 +40,7 @@ from core.errors import Notice, NotKnown, if_known
 from core.fatigue import FatigueStrength
 from core.fixes.plain import plain_fixes
 from core.hertz import ElasticMaterial
+from core.materials import like_steel
 from core.precession.line_contact import LineContact, line_contact
 from core.precession.meshing_load import MeshingLoad
 from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram
@@ -171,7 +172,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
                 diameter=diameter,
                 tensile_strength=to_si("tensile_strength_MPa", self.tensile_strength_MPa),
                 yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
-                steel=STEEL_GPA[0] <= self.youngs_modulus_GPa <= STEEL_GPA[1],
+                steel=like_steel(to_si("youngs_modulus_GPa", self.youngs_modulus_GPa)),
             )
 
         try:
@@ -259,7 +260,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             no_fatigue=self.no_fatigue(),
             contact=self.contact(load) or not_given("contact"),
             pressure_limits=limits,
-            requirements=self.requirements.section(self),
+            requirements=self.requirements.section(),
         )
         return shaft_checks(design)
 

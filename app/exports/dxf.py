@@ -110,10 +110,10 @@ class DxfRequest(RequestModel, group="drawing"):
 
     @model_validator(mode="after")
     def _no_lobe_left_out(self) -> Self:
-        given = self.design.mechanism
-        if self.design.ring_kind == "cycloid" and (given.teeth_difference or 1) != 1:
-            expected = given.given["satellite_teeth"] + 1
-            raise field_error("design/mechanism/ring_teeth", "not_this_cycloid", expected=expected)
+        lobes, pins = self.design.mechanism.teeth or (0, 1)
+        if self.design.ring_kind == "cycloid" and pins != lobes + 1:
+            more = {"expected": lobes + 1}
+            raise field_error("design/mechanism/ring_teeth", "not_this_cycloid", **more)
         return self
 
     def refuse_beyond(self, settings: Settings) -> None:

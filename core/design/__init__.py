@@ -10,6 +10,7 @@ tolerances          tolerances of the parts, by values, classes, a fit or a proc
 sections            mechanism, load, pin, ..., requirements: each as far as it is given
 ring                teeth or pins of the ring
 document            the design made of these sections, paths in it, copies with other values
+stated              the design of what a document states, with usual values and those of tables
 refusals            refusals of calculations that name the field with its section
 real_forces         forces with clearance, deviations and elasticity, in each direction
 output_forces       forces on the output pins as the results below use them

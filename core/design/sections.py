@@ -56,6 +56,9 @@ MAX_WEIGHTS = 20
 MAX_PAIRS = 10_000
 """Largest number of pairs (pins times satellites) of a mechanism."""
 
+USUAL_SATELLITES = 2
+"""Number of satellites if none is given."""
+
 angle = partial(quantity, unit="deg", ge=-3600, le=3600)
 """Angle of up to ten turns."""
 
@@ -71,7 +74,9 @@ class MechanismSection:
 
     pins: int | None = quantity("Pins", "N", default=None, step=1, ge=1, le=MAX_PAIRS)
     """Number of pins of the output link, evenly spaced on the pin circle."""
-    satellites: int = quantity("Satellites", "K", default=2, step=1, ge=1, le=MAX_SATELLITES)
+    satellites: int = quantity(
+        "Satellites", "K", default=USUAL_SATELLITES, step=1, ge=1, le=MAX_SATELLITES
+    )
     """Number of satellites, each on its own crank."""
     crank_spacing: float | None = angle("Crank spacing", "α", default=None, step=15)
     """Angle between neighbouring cranks; 360°/K where not given."""

@@ -1,0 +1,366 @@
+"""Design of what a document states: values in SI by section, nested as its JSON is. A value that is
+not stated follows from others, from a name in a table, or is the usual one.
+"""
+
+import math
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import fields
+from functools import cache
+from typing import Any
+
+from core.bearings import BEARINGS, named_bearing, names_like
+from core.design.contact import Contact
+from core.design.document import Design
+from core.design.ring import RINGS, CycloidRing, InvoluteRing
+from core.design.sections import (
+    MAX_PAIRS,
+    USUAL_SATELLITES,
+    DesignPin,
+    FatigueBasis,
+    Friction,
+    Load,
+    MechanismSection,
+    Requirements,
+    Rollers,
+    RollingBearing,
+    SatelliteBody,
+    Shaft,
+    Temperatures,
+)
+from core.design.tolerances import ToleranceSection
+from core.errors import InvalidInput, required
+from core.hertz import ElasticMaterial
+from core.material_table import MATERIALS
+from core.materials import in_bending
+from core.output.contact_force import output_torque_from_input
+from core.output.elasticity import COUPLINGS, LAWS, CrankSupport, HertzLaw, RingInSeries, usual_law
+from core.output.mechanism import Members, ratio_from_teeth
+from core.output.pin_bolt import PinBolt, bolt_preload
+from core.output.room import OF_RING_PINS, Deviations
+
+Values = Mapping[str, Any]
+"""Values of a section, by the names of its fields and of those from which they follow; a material
+may be a name in the table."""
+
+RING_PIN_MATERIAL, RING_MATERIAL = "steel_bearing", "steel_structural"
+"""Materials of ring pins, and of a ring with involute teeth, if none are stated."""
+
+USUAL_MATERIALS: dict[Any, dict[str, str]] = {
+    Contact: {"pin_material": "steel_bearing", "hole_material": "steel_through_hardened"},
+    CycloidRing: {"pin_material": RING_PIN_MATERIAL},
+    InvoluteRing: {"ring_material": RING_MATERIAL},
+    PinBolt: {"bolt_material": "steel_bolt"},
+}
+"""Names of materials that are taken if none are stated."""
+
+NO_COUPLING = ("crank_support", "satellite_coupling", "gear", "bearing", "crankshaft")
+"""Sections that a coupling of two shafts does not have."""
+
+OF_BOTH = "ring_speed", "carrier_speed"
+"""Speeds of which one is given if ring and pins are both outputs."""
+
+PROFILE_SHIFTS = {"satellite_profile_shift", "ring_profile_shift"}
+"""Fields of involute teeth whose form is given."""
+
+OF_SUPPORTS = ("span", "satellite_positions")
+"""Fields of ring pins that bend."""
+
+TOUCHING = ("pin_radius", "contact_length")
+"""Sizes of pins that touch their holes."""
+
+
+def material(stated: str | ElasticMaterial) -> ElasticMaterial:
+    """Material that is named or given."""
+    return MATERIALS[stated].material if isinstance(stated, str) else stated
+
+
+def filled(*, kind: Any, stated: Values) -> dict[str, Any]:
+    """Values that are taken for those that are not stated: of a bearing's name, and materials."""
+    usual: dict[str, Any] = {**USUAL_MATERIALS.get(kind, {})}
+    if kind is InvoluteRing and not stated.keys() >= PROFILE_SHIFTS:
+        usual = {}
+    if stated.get("name"):
+        usual |= _catalogued(kind, stated["name"])
+    return {name: each for name, each in usual.items() if stated.get(name) is None}
+
+
+def _catalogued(kind: Any, name: str) -> dict[str, Any]:
+    """Values of a bearing of the table that its section has."""
+    bearing = named_bearing(name)
+    if bearing is None:
+        near = ", ".join(names_like(name) or BEARINGS)
+        raise InvalidInput("name", name, "no_such_bearing", near=near)
+    sizes = ("bore_diameter", "outer_diameter", "width", "dynamic_rating", "static_rating")
+    found = {size: getattr(bearing, size) for size in sizes if size in _names(kind)}
+    if kind is not Rollers:
+        return found | {"kind": bearing.kind}
+    if bearing.series == "HK":  # a drawn cup has the diameter of a housing that holds it
+        del found["outer_diameter"]
+    return found | {"kind": bearing.elements}
+
+
+@cache
+def _names(kind: Any) -> frozenset[str]:
+    return frozenset(each.name for each in fields(kind))
+
+
+def section(*, kind: Any, stated: Values) -> Any:
+    """Section of a kind from what is stated of it; values that it does not have are left out."""
+    own = {**stated} | filled(kind=kind, stated=stated)
+    own |= {name: material(each) for name, each in own.items() if name.endswith("material")}
+    if kind is Contact:
+        names, made = _names(kind) | {"hole_clearance", "fit"}, Contact.sized
+    else:
+        names, made = _names(kind), kind
+        own |= FOLLOWING[kind](own) if kind in FOLLOWING else {}
+    return made(**{name: each for name, each in own.items() if name in names})
+
+
+def _mechanism(own: Values) -> dict[str, Any]:
+    """Ratio u and number of satellites of a mechanism."""
+    output, pins = own.get("output", "pins"), own.get("pins")
+    if output == "crankshafts":
+        raise InvalidInput("output", output, "not_this_mechanism")
+    ratio, count = _ratio(own), own.get("satellites")
+    angles = own.get("crank_angles") or ()
+    if angles and count not in (None, len(angles)):
+        counts = {"expected": count, "actual": len(angles)}
+        raise InvalidInput("crank_angles", angles, "different_length", **counts)
+    if output == "coupling" and (count or 1) > 1:
+        raise InvalidInput("satellites", count, "one_of_coupling", limit=1)
+    satellites = 1 if output == "coupling" else count or len(angles) or USUAL_SATELLITES
+    if (pins or 0) * satellites > MAX_PAIRS:
+        most = {"limit": MAX_PAIRS // satellites, "satellites": satellites}
+        raise InvalidInput("pins", pins, "too_many_pairs", **most)
+    return {"ratio": ratio, "satellites": satellites}
+
+
+def _ratio(own: Values) -> float:
+    """Ratio u, stated directly, by the ring, or by teeth; infinite for a coupling."""
+    match own:
+        case {"ratio": 0}:
+            raise InvalidInput("ratio", 0, "not_zero")
+        case {"ratio": ratio} if abs(ratio) < 1:
+            raise InvalidInput("ratio", ratio, "ratio_below_one", limit=1, offered=1 / ratio)
+        case {"ratio": ratio, "output": "ring"} if ratio < 0:
+            raise InvalidInput("ratio", ratio, "sign_of_ring", offered=-ratio)
+        case {"ratio": ratio}:
+            return float(abs(ratio))
+        case {"output_ratio": ratio}:
+            return float(ratio - 1)
+        case {"satellite_teeth": lobes, "ring_teeth": teeth} if teeth > 2 * lobes:
+            more = {"limit": 2 * lobes, "field": "satellite_teeth"}
+            raise InvalidInput("ring_teeth", teeth, "ratio_of_teeth", **more)
+        case {"satellite_teeth": lobes, "ring_teeth": teeth}:
+            return ratio_from_teeth(satellite_teeth=lobes, ring_teeth=teeth)
+        case {"output": "coupling"}:
+            return math.inf
+    raise InvalidInput("ratio", None, "needed", field="satellite_teeth")
+
+
+def teeth_difference(mechanism: Values) -> int | None:
+    """Teeth of the ring less those of a satellite; None unless both are stated."""
+    match mechanism:
+        case {"satellite_teeth": satellite, "ring_teeth": ring}:
+            return int(ring - satellite)
+    return None
+
+
+def _bolt(own: Values) -> dict[str, Any]:
+    """Material of a bolt, and its preload by the tightening torque."""
+    found = in_bending(own["bolt_material"])
+    if torque := own.get("tightening_torque"):
+        core = own["core_diameter"]
+        found["preload"] = bolt_preload(tightening_torque=torque, core_diameter=core)
+    return found
+
+
+def _ring_pins(own: Values) -> dict[str, Any]:
+    """Strength of ring pins."""
+    held = in_bending(own["pin_material"])
+    return {"pin_material": held.pop("material")} | {f"pin_{name}": held[name] for name in held}
+
+
+FOLLOWING: dict[Any, Callable[[Values], dict[str, Any]]] = {
+    MechanismSection: _mechanism,
+    PinBolt: _bolt,
+    CycloidRing: _ring_pins,
+}
+"""Functions of the values that follow from others of a section."""
+
+KINDS: dict[str, Any] = {
+    "mechanism": MechanismSection,
+    "load": Load,
+    "contact": Contact,
+    "contact_law": LAWS,
+    "deviations": Deviations,
+    "crank_support": CrankSupport,
+    "satellite_coupling": COUPLINGS,
+    "pin": DesignPin,
+    "fatigue": FatigueBasis,
+    "friction": Friction,
+    "rollers": Rollers,
+    "gear": RINGS,
+    "bearing": RollingBearing,
+    "crankshaft": Shaft,
+    "satellite_body": SatelliteBody,
+    "temperatures": Temperatures,
+    "tolerances": ToleranceSection,
+    "requirements": Requirements,
+}
+"""Sections of a document; those of several kinds by their kind."""
+
+
+def _torque(load: Values, mechanism: Values) -> dict[str, Any]:
+    """Torque of the output that follows from that of the crankshaft."""
+    if "input_torque" not in load:
+        return {}
+    made = section(kind=MechanismSection, stated=mechanism)
+    torque = output_torque_from_input(
+        input_torque=load["input_torque"],
+        ratio=Members(made.output, made.ratio).torque_ratio,
+        efficiency=load["efficiency"],
+    )
+    return {"output_torque": torque}
+
+
+def _pin(pin: Values, stated: Mapping[str, Values]) -> dict[str, Any]:
+    """Pin with diameter and material of what surrounds it, the rollers first."""
+    rollers, contact = stated.get("rollers", {}), stated.get("contact")
+    diameter, chosen = pin.get("diameter"), pin.get("material")
+    bore = rollers.get("bore_diameter", filled(kind=Rollers, stated=rollers).get("bore_diameter"))
+    if contact is not None:
+        radius = contact.get("pin_radius")
+        bore = bore or (radius and 2 * radius)
+        chosen = chosen or (filled(kind=Contact, stated=contact) | {**contact})["pin_material"]
+    diameter = required(diameter or bore, "size_missing", "pin.diameter")
+    held = in_bending(material(required(chosen, "size_missing", "pin.material")))
+    usual = {"support": "cantilever", "satellite_positions": ()}
+    return {**usual, **pin, **held, "diameter": diameter}
+
+
+def _law(stated: Mapping[str, Values]) -> Any:
+    """Contact law by the materials; any law without a contact, which is refused later."""
+    if "contact" not in stated:
+        return HertzLaw()
+    own = filled(kind=Contact, stated=stated["contact"]) | {**stated["contact"]}
+    return usual_law(pin=material(own["pin_material"]), hole=material(own["hole_material"]))
+
+
+def _of_design(name: str, stated: Mapping[str, Values]) -> Any:
+    """Section of the design, with what follows from other sections."""
+    own, kind = {**stated[name]}, KINDS[name]
+    if name == "contact_law" and not own:
+        return _law(stated)
+    if name == "load":
+        own |= _torque(own, stated["mechanism"])
+    if name == "pin":
+        own = _pin(own, stated)
+    difference = teeth_difference(stated["mechanism"])
+    if name == "gear" and difference is not None:
+        own["teeth_difference"] = difference
+    if isinstance(kind, Mapping):
+        kind = kind[own.get("kind", "rigid" if name == "satellite_coupling" else None)]
+    try:
+        return section(kind=kind, stated=own)
+    except InvalidInput as error:
+        if not error.parameter.startswith(f"{name}."):
+            error.parameter = f"{name}.{error.parameter}"
+        raise
+
+
+def design_of(
+    stated: Mapping[str, Values], *, used: Collection[str] = (*KINDS,), pin_alone: bool = False
+) -> Design:
+    """Design of the used sections of a document. Other sections only supply what follows from them:
+    pins take diameter and material of rollers and contact, teeth their difference of the mechanism,
+    and both meshes are in series if the sharing between satellites is not stated.
+
+    Parameters
+    ----------
+    stated : mapping
+        Values of each stated section.
+    used : collection of str
+        Names of sections that the design has.
+    pin_alone : bool
+        True if the design has its pin also without a contact that loads it.
+    """
+    refuse_contradictions(stated)
+    names = [name for name in KINDS if name in stated and name in used]
+    if "pin" in names and "contact" not in names and not pin_alone:
+        names.remove("pin")
+    sections = {name: _of_design(name, stated) for name in names}
+    if "gear" in sections and "satellite_coupling" in used:
+        sections.setdefault("satellite_coupling", RingInSeries())
+    return Design(**sections)
+
+
+def refuse_contradictions(stated: Mapping[str, Values]) -> None:
+    """Raise InvalidInput if sections contradict each other, or one lacks a value of another."""
+    nothing: Values = {}
+    contact, friction = stated.get("contact", nothing), stated.get("friction", nothing)
+    if "rollers" in stated and "pin_radius" not in contact:
+        raise InvalidInput("contact.pin_radius", None, "needed_beside", field="rollers")
+    if friction and "friction_coefficient" in stated.get("rollers", nothing):
+        more = {"field": "friction_coefficient"}
+        raise InvalidInput("friction.coefficient", None, "only_one", **more)
+    for hole in ("hole_radius", "hole_clearance", "fit"):
+        for size in TOUCHING if hole in contact else ():
+            if size not in contact:
+                raise InvalidInput(f"contact.{size}", None, "needed_beside", field=hole)
+    if friction.get("sleeve") and "pin" not in stated:
+        raise InvalidInput("pin", None, "needed_beside", field="sleeve")
+    _refuse_members(stated)
+    _refuse_ring(stated)
+
+
+def _refuse_members(stated: Mapping[str, Values]) -> None:
+    """Refuse sections and speeds that the output does not have."""
+    output, load = stated["mechanism"].get("output", "pins"), stated.get("load", {})
+    if output == "coupling":
+        for name in NO_COUPLING:
+            if name in stated:
+                raise InvalidInput(name, None, "of_other_output", output=output)
+    given = [name for name in OF_BOTH if name in load]
+    driven, both = "input_speed" in load, output == "both"
+    if given and not both:
+        raise InvalidInput(f"load.{given[0]}", None, "of_other_output", output=output)
+    if given and not driven:
+        raise InvalidInput("load.input_speed", None, "needed_beside", field=given[0])
+    if both and driven and not given:
+        raise InvalidInput(f"load.{OF_BOTH[0]}", None, "needed_beside", field="input_speed")
+
+
+def _refuse_ring(stated: Mapping[str, Values]) -> None:
+    """Refuse a ring that contradicts mechanism or discs, and what needs a ring with pins."""
+    gear, contact = stated.get("gear", {}), stated.get("contact", {})
+    kind, difference = gear.get("kind"), teeth_difference(stated["mechanism"])
+    if kind == "involute":
+        given, name = gear.get("teeth_difference"), "gear.teeth_difference"
+        if difference is None and given is None:
+            raise InvalidInput(name, None, "needed_beside", field="ratio")
+        # a ring without more teeth than its satellites is refused by itself
+        if given and difference and difference > 0 and given != difference:
+            raise InvalidInput(name, given, "teeth_disagree", expected=difference)
+    if "pin_radius" in contact or "hole_material" in contact:
+        of_holes = material((filled(kind=Contact, stated=contact) | {**contact})["hole_material"])
+        for name in ("disc_material", "satellite_material"):
+            if name in gear and material(gear[name]) != of_holes:
+                more = {"field": "hole_material"}
+                raise InvalidInput(f"gear.{name}", None, "discs_disagree", **more)
+    seats = gear.get("pin_support", "seat") == "seat"
+    for name in OF_SUPPORTS:
+        if seats and name in gear:
+            raise InvalidInput(f"gear.{name}", gear[name], "of_another_kind", kind="seat")
+        if not seats and name not in gear:
+            raise InvalidInput(f"gear.{name}", None, "needed_beside", field="pin_support")
+    listed = [name for name in OF_RING_PINS if name in stated.get("deviations", {})]
+    if listed and kind != "cycloid":
+        raise InvalidInput("gear", None, "needed_beside", field=listed[0])
+    if stated.get("satellite_coupling", {}).get("kind") == "ring":
+        if not gear:
+            raise InvalidInput("gear", None, "needed_beside", field="satellite_coupling")
+        if kind != "cycloid":
+            raise InvalidInput("gear.kind", kind, "outside_method")
+        if contact.get("distribution_factor", 1) > 1:
+            raise InvalidInput("contact.distribution_factor", None, "with_real_forces")
