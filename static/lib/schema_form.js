@@ -157,13 +157,13 @@ function groupsByField(schema, { groups, inline, hidden, resolve }) {
  * `groups` names the parts of the body in the order shown, or, where `inline` is given, the groups
  * that the fields of a flat body name themselves; `choices` says which fields exclude each other,
  * `{ choice: { option: [path] } }`, and `optional` which of them may be left empty; `hidden` what the
- * page decides for the user, `needed` which fields the service needs though its schema does not require them, `requirements`, where it is given, the only ones that are asked for; `arranged` puts them in groups of the page's own; `suggestions` says which
+ * page decides for the user, `neededBy` further endpoints that are asked, whose schemas say which fields they need (`x-needs`), `requirements`, where it is given, the only ones that are asked for; `arranged` puts them in groups of the page's own; `suggestions` says which
  * boxes follow others while they are empty (`linked`); `moved` the older path of a field, by its path; `diameters` has title and help, by name, of
  * radii that are shown as diameters; `wanted` are groups that are off until wanted; `words(name, group)` gives title and help of a field, or null for
  * those of the schema.
  */
 export function formModel(openapi, {
-  path, groups, inline, requirements, choices = {}, optional = [], needed = [], hidden: kept = [], arranged = null, suggestions = {}, diameters = null, moved = {},
+  path, groups, inline, requirements, choices = {}, optional = [], neededBy = [], hidden: kept = [], arranged = null, suggestions = {}, diameters = null, moved = {},
   wanted = [], words = () => null,
 }) {
   const { schema, resolve } = bodySchema(openapi, path, words);
@@ -178,6 +178,8 @@ export function formModel(openapi, {
   }));
   const items = parts.flatMap((part) => part.items);
   // What follows another box is always said, be it by that one: figures need it too.
+  const asked = [path, ...neededBy.map((name) => path.replace(/[^/]*$/, name))];
+  const needed = asked.flatMap((each) => bodySchema(openapi, each, words).schema["x-needs"] ?? []).map((pointer) => pointer.slice(1).replaceAll("/", "."));
   for (const field of items.flatMap(fieldsOf)) field.required ||= needed.includes(field.path) || Boolean(suggestions[field.path]?.needs);
   const besides = wanted.map((group) => wantedGroup(openapi, group, words))
     .map((group) => (diameters ? { ...group, items: group.items.map((item) => asDiameter(item, diameters)) } : group));

@@ -77,6 +77,15 @@ test("in English a box says what its own request does, whatever another one says
   assert.deepEqual([made.title, made.help], [title, help]);
 });
 
+test("fields are needed that the schema of an endpoint beside the form's own says so of", () => {
+  const described = structuredClone(OPENAPI);
+  described.paths["/api/v1/other"] = structuredClone(described.paths["/api/v1/job"]);
+  described.paths["/api/v1/other"].post.requestBody.content["application/json"].schema = { "x-needs": ["/mechanism/satellites"], type: "object", properties: {} };
+  const asked = { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"] };
+  const needed = (more) => formModel(described, { ...asked, ...more }).fields.get("mechanism.satellites").required;
+  assert.deepEqual([needed({}), needed({ neededBy: ["other"] })], [false, true]);
+});
+
 test("what follows another box is said even where the service could do without", () => {
   const suggestions = { "contact.pin_radius_mm": { linked: true, needs: "mechanism.ratio", value: ({ mechanism }) => mechanism.ratio / 4 } };
   const made = formModel(OPENAPI, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], suggestions });

@@ -198,7 +198,7 @@ export default {
     play: { radial: ["contact.hole_clearance_mm"], fits: ["contact.fit"] },
     torque: { output: ["load.output_torque_Nm"], input: ["load.input_torque_Nm", "load.efficiency"] },
   },
-  needed: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.contact_length_mm", "contact.pin_radius_mm"],
+  neededBy: ["fit"],
   optional: ["mechanism.crank_spacing_deg", "contact.hole_clearance_mm", "contact.fit"],
   catalogues: Object.fromEntries(["contact.pin_material", "contact.hole_material", "pin.material", "gear.pin_material", "gear.ring_material"]
     .flatMap((path) => [[path, "materials"], [`${path}.name`, "materials"]])),
