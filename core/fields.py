@@ -6,14 +6,13 @@ Values are SI in core. Title, limits and step are those of the document as users
 unit that ends the name there: `pin_radius` with the unit ``mm`` is ``pin_radius_mm``.
 """
 
-import ast
 import inspect
 import re
 import sys
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import MISSING, dataclass, field
 from functools import cache, partial
-from itertools import chain, pairwise
+from itertools import chain
 from typing import Any, Literal, NamedTuple, TypeVar, get_type_hints
 
 SMALLEST = 1e-12
@@ -163,16 +162,21 @@ def help_of(kind: type) -> dict[str, str]:
     return own
 
 
+CLASS = re.compile(r"^class (\w+)(.*?)(?=^[^\s)]|\Z)", re.MULTILINE | re.DOTALL)
+"""A class of a module, and its body."""
+
+STATEMENT = re.compile(r'^    (?:(\w+): |"""(.*?)"""$|[^\s#)\]}])', re.MULTILINE | re.DOTALL)
+"""Begin of a statement in the body of a class: the name of a field, or a text."""
+
+
 @cache
 def _texts(module: str) -> dict[str, dict[str, str]]:
     """Texts below the fields of the classes of a module, by class and field."""
     found: dict[str, dict[str, str]] = {}
-    source = inspect.getsource(sys.modules[module])
-    for block in re.findall(r"^class .*?(?=^[^\s)]|\Z)", source, re.MULTILINE | re.DOTALL):
-        (node,) = ast.parse(block).body
-        own = found.setdefault(node.name, {})
-        for each in pairwise(node.body):
-            match each:
-                case ast.AnnAssign(target=ast.Name(name)), ast.Expr(ast.Constant(str(text))):
-                    own[name] = " ".join(text.split())
+    for kind, body in CLASS.findall(inspect.getsource(sys.modules[module])):
+        own, field = found.setdefault(kind, {}), ""
+        for name, text in STATEMENT.findall(body):
+            if field and text:
+                own[field] = " ".join(text.split())
+            field = name
     return found
