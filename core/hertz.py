@@ -36,7 +36,7 @@ from core.conformal import (
     load_under_pressure,
     pressure_over_angle,
 )
-from core.contact_life import MOST_LOADS, LifeCurve, life_factor
+from core.contact_life import CURVES, MOST_LOADS, LifeCurve, life_factor
 from core.errors import Accuracy, Notice, NotKnown, if_known, poorly_known, required
 from core.fields import Output, answered
 from core.numerics.inverse import edge
@@ -97,9 +97,31 @@ LIMITS_VERIFIED: dict[str, Verified] = {"iso_76": "standard"}
 class LimitLife(NamedTuple):
     """Life curve of a limit, with its factor at the number of loads."""
 
-    curve: LifeCurve  # curve of the material
-    loads: float  # number of loads over the life
-    factor: float  # Z_NT at that number
+    curve: Annotated[LifeCurve, Output()]
+    """Material group whose life curve is used; the curves are those of gear teeth in ISO 6336-2."""
+    loads: Annotated[float, Output("", "N_L")]
+    """Number of loads over the life: turns of a satellite relative to its crank."""
+    factor: Annotated[float, Output("", "Z_NT", "ISO 6336-2")]
+    """Life factor."""
+
+    @property
+    @answered("", "N_k")
+    def knee_loads(self) -> float:
+        """Number of loads at which the limit is that of the material."""
+        return CURVES[self.curve].knee
+
+    @property
+    @answered("", "m")
+    def exponent(self) -> float:
+        """Exponent of the line on this side of the knee."""
+        line = CURVES[self.curve]
+        return line.before if self.loads < line.knee else line.beyond
+
+    @property
+    @answered("", "Z_m")
+    def largest_factor(self) -> float:
+        """Largest life factor, for few loads."""
+        return CURVES[self.curve].most
 
 
 @dataclass(frozen=True, slots=True)

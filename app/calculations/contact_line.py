@@ -83,19 +83,10 @@ class ContactLineRequest(GearFields, group="load"):
         return line_steps(gear=self.gear(), found=lines, by_angle=self.by_angle)
 
 
-class PointsOut(ResponseModel):
+class PointsOut(ResponseModel, of=ContactPoints):
     """Points of a contact line: developed on the roller (z over x) and in space."""
 
-    z_mm: list[float] = result(
-        "Coordinate along the axis of the wheel, from the centre of precession.",
-        symbol="z",
-        equation="2020, eq. 1",
-    )
-    phi_deg: list[float] = result("Polar angle on the roller.", symbol="φ", equation="2020, eq. 1")
-    x_mm: list[float] = result("Arc on the developed roller, ρφ.", symbol="x")
-    position_mm: list[tuple[float, float, float]] = result(
-        "Points in space, X, Y, Z.", symbol="r_1", equation="2020, eq. 21, 23, 24"
-    )
+    position_mm: list[tuple[float, float, float]]
 
 
 class ContactLineOut(ResponseModel, of=ContactLine):

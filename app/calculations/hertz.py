@@ -41,7 +41,7 @@ from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, te
 from app.units import from_si, to_si
 from app.worked import worked
 from core.arrays import FloatArray
-from core.contact_life import CURVES, LifeCurve
+from core.contact_life import LifeCurve
 from core.design.contact import Contact
 from core.errors import Notice, if_known
 from core.hertz import (
@@ -52,6 +52,7 @@ from core.hertz import (
     ElasticMaterial,
     HertzContact,
     Layers,
+    LimitLife,
     conformal_profile,
     hertz,
     pressure_profile,
@@ -302,35 +303,8 @@ class HertzRequest(
         return profiles
 
 
-class LifeOut(ResponseModel):
+class LifeOut(ResponseModel, of=LimitLife):
     """Fall of the pressure limit over the life: (N_k/N_L)^m, at most Z_m."""
-
-    curve: LifeCurve = Field(
-        description="Material group whose life curve is used; the curves are those of gear teeth "
-        "in ISO 6336-2."
-    )
-    loads: float = result(
-        "Number of loads over the life: turns of a satellite relative to its crank.", symbol="N_L"
-    )
-    knee_loads: float = result(
-        "Number of loads at which the limit is that of the material.", symbol="N_k"
-    )
-    exponent: float = result("Exponent of the line on this side of the knee.", symbol="m")
-    largest_factor: float = result("Largest life factor, for few loads.", symbol="Z_m")
-    factor: float = result("Life factor.", symbol="Z_NT", equation="ISO 6336-2")
-
-    @classmethod
-    def of(cls, limit: ContactLimit) -> Values | None:
-        """Fall of a limit over the life; None if the life is not known."""
-        life = if_known(lambda: limit.life)
-        if not life:
-            return None
-        line = CURVES[life.curve]
-        return life._asdict() | {
-            "knee_loads": line.knee,
-            "exponent": line.before if life.loads < line.knee else line.beyond,
-            "largest_factor": line.most,
-        }
 
 
 class SafetyOut(ResponseModel, of=BodySafety):
@@ -359,13 +333,14 @@ class SafetyOut(ResponseModel, of=BodySafety):
 @lru_cache(maxsize=256)
 def _judged_by(body: str, limit: ContactLimit) -> Values:
     """Values of a body and its limit, independent of the pressure."""
+    life = if_known(lambda: limit.life)
     values = {
         "body": body,
         "limit_MPa": from_si("limit_MPa", limit.pressure),
         "criterion": limit.criterion,
         "source": LIMIT_SOURCES.get(limit.source),
         "source_code": limit.source or None,
-        "life": LifeOut.of(limit),
+        "life": life and LifeOut.values(life),
     }
     return present(values)
 

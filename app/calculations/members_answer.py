@@ -2,17 +2,9 @@
 
 from typing import Any
 
-from app.model import AccuracyOut, Maybe, ResponseModel, Values, result
-from app.units import from_si, suffix
+from app.model import ResponseModel, Values, result
+from app.units import suffix
 from core.output.mechanism import MemberLoads, Members, Output
-
-SPEEDS = {
-    "crank_speed_rpm": "crank",
-    "carrier_speed_rpm": "carrier",
-    "ring_speed_rpm": "ring",
-    "relative_speed_rpm": "relative",
-    "crank_to_ring_speed_rpm": "crank_to_ring",
-}
 
 TORQUES = ("torque_Nm", "satellite_torque_Nm")
 """Torques of the output; the crank's torque does not depend on the choice of output."""
@@ -27,36 +19,9 @@ class MembersOut(ResponseModel, of=MemberLoads):
     the ring.
     """
 
-    BESIDE = ("output", *SPEEDS)
+    BESIDE = ("output",)
 
     output: Output = result("Output link.")
-    crank_speed_rpm: Maybe[float] = result("Speed of the crank.", symbol="n₁")
-    carrier_speed_rpm: Maybe[float] = result(
-        "Speed of the pins, and of the satellites, which turn with them.",
-        symbol="n_c",
-        equation="n₁ + u·n_c = (u + 1)·n_r",
-    )
-    ring_speed_rpm: Maybe[float] = result("Speed of the ring.", symbol="n_r")
-    relative_speed_rpm: Maybe[float] = result(
-        "Speed of the crank relative to the pins, which is the speed of the satellites' "
-        "bearings, of sliding and of load cycles.",
-        symbol="n",
-    )
-    crank_to_ring_speed_rpm: Maybe[float] = result(
-        "Speed of the crank relative to the ring, by which the mechanism is calculated.",
-        symbol="n₁ − n_r",
-    )
-    accuracy: AccuracyOut
-
-    @classmethod
-    def values(cls, result: MemberLoads, run_time_us: float | None = None, **given: Any) -> Values:
-        """Values of the core's loads; `output` is given."""
-        speeds = {
-            name: from_si(name, getattr(found, each))
-            for name, each in SPEEDS.items()
-            if (found := result.given_speeds)
-        }
-        return super().values(result, run_time_us, **speeds, **given)
 
 
 def factor_at_output(name: str, members: Members) -> float:

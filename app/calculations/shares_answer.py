@@ -49,15 +49,7 @@ class SharesOut(ResponseModel):
         """Values of the shares."""
         values: Values = {
             "model": found.model,
-            "discs": [
-                {
-                    "satellite": each.satellite,
-                    "torque_Nm": each.torque,
-                    "share": each.share,
-                    "share_at_peak": each.share_at_peak,
-                }
-                for each in found.discs
-            ],
+            "discs": [*map(DiscShareOut.values, found.discs)],
             "largest": found.largest.share,
             "reason": found.reason,
             "governs": [each.check.code for each in found.governs],

@@ -3,6 +3,7 @@
 from pydantic import Field
 
 from app.model import AccuracyOut, DocumentResponse, Maybe, ResponseModel, WarningOut, result
+from core.tolerance.contributions import Contribution
 from core.tolerance.processes import ProcessName
 from core.tolerance.quantiles import Estimate
 
@@ -35,17 +36,11 @@ class HistogramOut(ResponseModel):
     counts: list[int] = result("Number of pieces in each class.")
 
 
-class ContributionOut(ResponseModel):
+class ContributionOut(ResponseModel, of=Contribution):
     """Effect of one tolerance on a quantity."""
 
-    source: str = result("Name of the tolerance in the request.")
-    total: float = result(
-        "Share of the variance that depends on the tolerance, alone or together with others.",
-        symbol="S_T",
-    )
-    total_error: float = result("Standard error of the total share.")
-    first: float = result("Share of the variance that the tolerance explains alone.", symbol="S_1")
-    first_error: float = result("Standard error of the share of the tolerance alone.")
+    BESIDE = ("percentile_without", "fits_without")
+
     percentile_without: Maybe[PercentileOut] = result(
         "Highest requested percentile with this tolerance at the middle of its limits."
     )

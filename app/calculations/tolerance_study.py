@@ -18,7 +18,7 @@ from app.calculations.solved_design import (
     SolvedFields,
     lost_motion_torque_share,
 )
-from app.calculations.tolerance_answer import ToleranceStudyResponse
+from app.calculations.tolerance_answer import ContributionOut, EstimateOut, ToleranceStudyResponse
 from app.calculations.tolerance_figure import tolerance_figure
 from app.calculations.tolerances import TolerancesFields, as_given
 from app.cluster import Lost, on_cluster
@@ -344,7 +344,7 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
             "fits": int(found.fits.sum()),
             "binds_in_turning": int(found.binds.sum()),
             "does_not_fit": int((~found.fits & ~found.binds).sum()),
-            "cannot_assemble": _estimate(found.cannot_assemble),
+            "cannot_assemble": EstimateOut.values(found.cannot_assemble),
             "cannot_work": int((np.isnan(found.values[:, 0]) & found.fits).sum()),
         }
         values |= self._process()
@@ -440,10 +440,10 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
         if name in self.given_limits:
             limit = self.given_limits[name]
             asked: dict[str, Any] = {"quantity": quantity, "limit": to_si(name, limit) / factor}
-            values["yield"] = {"limit": limit} | _estimate(found.yield_within(**asked))
+            values["yield"] = {"limit": limit} | EstimateOut.values(found.yield_within(**asked))
             if found.fits.any():
                 of_fitting = found.yield_within(**asked, of_fitting=True)
-                values["yield_of_fitting"] = {"limit": limit} | _estimate(of_fitting)
+                values["yield_of_fitting"] = {"limit": limit} | EstimateOut.values(of_fitting)
         if "histogram" in self.include and len(column):
             values["histogram"] = _histogram(self.seen(name, column))
         return values
@@ -457,18 +457,11 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
 
         def without(each: Estimate) -> Values:
             if to_fit:
-                return {"fits_without": _estimate(each)}
+                return {"fits_without": EstimateOut.values(each)}
             return {"percentile_without": {"percent": percent} | self.estimate(each, self.names[0])}
 
         return [
-            {
-                "source": given[each.source],
-                "total": each.total,
-                "total_error": each.total_error,
-                "first": each.first,
-                "first_error": each.first_error,
-                **without(each.without),
-            }
+            ContributionOut.values(each, source=given[each.source], **without(each.without))
             for each in contributions(study=first, percent=percent, to_fit=to_fit)
         ]
 
@@ -490,11 +483,6 @@ def _relative(width: float, value: float) -> float:
     if width == 0:
         return 0.0
     return min(width / 2 / abs(value), 1.0) if value else 1.0
-
-
-def _estimate(estimate: Estimate, name: str = "") -> Values:
-    ends = {end: getattr(estimate, end) for end in ("value", "low", "high")}
-    return {end: from_si(name, value) for end, value in ends.items()}
 
 
 def _histogram(values: FloatArray) -> Values:

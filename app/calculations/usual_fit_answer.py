@@ -55,7 +55,7 @@ class SpreadOut(ResponseModel):
     percent_90: float = result("Value that 90 % of the pieces do not exceed.")
 
 
-class UsualModificationOut(ResponseModel):
+class UsualModificationOut(ResponseModel, of=UsualModification):
     """Design with a usual ring: discs with a modification, if none is known, and pins anywhere in
     round zones. Forces are an upper estimate, as only the contacts are elastic.
     """
@@ -63,13 +63,6 @@ class UsualModificationOut(ResponseModel):
     BESIDE = ("peak_force_N", "max_pressure_MPa", "backlash_arcmin", "largest_torque_Nm", "verdict")
 
     ring_class: RingClass = Field(alias="class", description="Manufacture of discs and ring.")
-    equidistant_mm: float = result("Equidistant modification of the discs.", symbol="Δ_e")
-    pin_zone_diameter_mm: float = result(
-        "Diameter of the round tolerance zone of each ring pin's centre; 0 if the places of the"
-        " pins are given."
-    )
-    samples: int = result("Number of pieces drawn.")
-    crank_angles: int = result("Number of crank angles at which each piece is calculated.")
     peak_force_N: SpreadOut = Field(
         description="Largest force of all pairs over the turn, under the torque times the "
         "application factor."
@@ -80,7 +73,6 @@ class UsualModificationOut(ResponseModel):
     backlash_arcmin: SpreadOut = Field(
         description="Largest play of the output by the teeth alone over the turn."
     )
-    cannot_assemble: float = result("Share of the pieces that press without load.")
     largest_torque_Nm: Maybe[float] = result(
         "Torque at which the first check fails, if requested and known, for the piece whose "
         "pressure 90 % of the pieces do not exceed."

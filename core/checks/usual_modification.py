@@ -18,6 +18,7 @@ from core.design.document import Design, changed
 from core.design.results import Results
 from core.design.ring import RingClass
 from core.errors import UNKNOWN, ImpossibleMechanism
+from core.fields import answer
 from core.output.room import Deviations
 from core.output.sampled_turn import WAYS
 from core.output.turn import Turn
@@ -58,19 +59,25 @@ class Spread(NamedTuple):
         return cls(*(ascending[rank] for rank in ranks))
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class UsualModification:
     """Results of a design with usual ring parts."""
 
     ring_class: RingClass
-    equidistant: float  # Delta_e of the discs, m
-    pin_zone_diameter: float  # m; 0 if the places of the pins are given
-    samples: int  # number of pieces
-    crank_angles: int  # number of crank angles of each piece
+    equidistant: float = answer("mm", "Δ_e")
+    """Equidistant modification of the discs."""
+    pin_zone_diameter: float = answer("mm")
+    """Diameter of the round tolerance zone of each ring pin's centre; 0 if the places of the pins
+    are given."""
+    samples: int = answer()
+    """Number of pieces drawn."""
+    crank_angles: int = answer()
+    """Number of crank angles at which each piece is calculated."""
     peak_force: Spread  # over the turn, N, under the dynamic load
     max_pressure: Spread  # over the turn, Pa, under the dynamic load
     backlash: Spread  # backlash of the discs, rad
-    cannot_assemble: float  # share of pieces that press without load or cannot exist
+    cannot_assemble: float = answer()
+    """Share of the pieces that press without load."""
     results: Results  # results of the piece with the pressure of 90 %
     verdict: Verdict  # verdict with that piece, and with a usual clearance if none is known
 

@@ -396,12 +396,44 @@ class MemberLoads:
     ring_torque: float = answer("Nm", "T_r", "−T·(1 + 1/u)")
     """Torque on the ring."""
     given_speeds: MemberSpeeds | None = None  # speeds of all members, if one is known
-    accuracy: Accuracy = CLOSED
+    accuracy: Accuracy = answer(default=CLOSED)
 
     @property
     def speeds(self) -> MemberSpeeds:
         """Speeds of the members."""
         return required(self.given_speeds, "speed_missing", "load.input_speed")
+
+    @property
+    @answered("rpm", "n₁", optional=True)
+    def crank_speed(self) -> float:
+        """Speed of the crank."""
+        return self.speeds.crank
+
+    @property
+    @answered("rpm", "n_c", "n₁ + u·n_c = (u + 1)·n_r", optional=True)
+    def carrier_speed(self) -> float:
+        """Speed of the pins, and of the satellites, which turn with them."""
+        return self.speeds.carrier
+
+    @property
+    @answered("rpm", "n_r", optional=True)
+    def ring_speed(self) -> float:
+        """Speed of the ring."""
+        return self.speeds.ring
+
+    @property
+    @answered("rpm", "n", optional=True)
+    def relative_speed(self) -> float:
+        """Speed of the crank relative to the pins, which is the speed of the satellites' bearings,
+        of sliding and of load cycles.
+        """
+        return self.speeds.relative
+
+    @property
+    @answered("rpm", "n₁ − n_r", optional=True)
+    def crank_to_ring_speed(self) -> float:
+        """Speed of the crank relative to the ring, by which the mechanism is calculated."""
+        return self.speeds.crank_to_ring
 
     @property
     @answered("W", "P₁", optional=True)

@@ -250,12 +250,14 @@ def _sine_and_cosine_of_sum(first: float, second: float) -> tuple[float, float]:
 class ContactPoints:
     """Points of a contact line, for drawing."""
 
-    z: FloatArray  # along the axis, m, growing, shape (samples,)
-    phi: FloatArray  # polar angle on the roller, rad, shape (samples,)
-    x: FloatArray  # arc rho*phi of the unrolled roller, m, shape (samples,)
-    # Place in the wheel's frame, m, shape (samples, 3); the roller's axis stands at
-    # ``R_C*(-sin, cos)(phi1)``.
-    position: FloatArray
+    z: FloatArray = answer("mm", "z", "2020, eq. 1")
+    """Coordinate along the axis of the wheel, from the centre of precession."""
+    phi: FloatArray = answer("deg", "φ", "2020, eq. 1")
+    """Polar angle on the roller."""
+    x: FloatArray = answer("mm", "x")
+    """Arc on the developed roller, ρφ."""
+    position: FloatArray = answer("mm", "r_1", "2020, eq. 21, 23, 24")
+    """Points in space, X, Y, Z."""
 
 
 def contact_points(*, line: ContactLine, samples: int = 61) -> ContactPoints:

@@ -7,20 +7,26 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.drive.engine import FITS
+from core.fields import answer
 from core.tolerance.quantiles import Estimate, percentile, share
 from core.tolerance.study import Study
 from core.tolerance.tolerances import Drawn
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Contribution:
     """Contribution of one source to the variance of a quantity."""
 
-    source: str  # name of the tolerance
-    total: float  # total index S_T: part of the variance left if all other sources are fixed
-    total_error: float  # standard error of S_T
-    first: float  # first-order index S_1: part of the variance that the source explains alone
-    first_error: float  # standard error of S_1
+    source: str = answer()
+    """Name of the tolerance in the request."""
+    total: float = answer("", "S_T")
+    """Share of the variance that depends on the tolerance, alone or together with others."""
+    total_error: float = answer()
+    """Standard error of the total share."""
+    first: float = answer("", "S_1")
+    """Share of the variance that the tolerance explains alone."""
+    first_error: float = answer()
+    """Standard error of the share of the tolerance alone."""
     # Percentile, or share of pieces that fit, with this source at the middle of its limits.
     without: Estimate
 
@@ -79,6 +85,14 @@ def contributions(
             without = share(successes=int(rest.sum()), count=len(rest))
         else:
             without = percentile(values=rest[~np.isnan(rest)], percent=percent)
-        alone = 1 - first[0] if variance < math.inf else 0.0
-        found.append(Contribution(source, *total, alone, first[1], without))
+        found.append(
+            Contribution(
+                source=source,
+                total=total[0],
+                total_error=total[1],
+                first=1 - first[0] if variance < math.inf else 0.0,
+                first_error=first[1],
+                without=without,
+            )
+        )
     return tuple(sorted(found, key=lambda each: -each.total))

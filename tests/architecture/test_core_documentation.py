@@ -160,7 +160,7 @@ def test_every_field_of_a_record_says_what_it_is():
     for cls in DATACLASSES + RECORDS:
         documented = section(cls, "Attributes") + section(cls, "Parameters")
         fields = getattr(cls, "_fields", None) or [each.name for each in dataclasses.fields(cls)]
-        said = {*documented, *commented(cls), *(help_of(cls) if cls in DATACLASSES else ())}
+        said = {*documented, *commented(cls), *help_of(cls)}
         silent = {name for name in inspect.get_annotations(cls) if not name.isupper()} - said
         if silent or documented != [name for name in fields if name in documented]:
             wrong[identity(cls)] = documented, silent
