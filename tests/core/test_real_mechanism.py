@@ -15,7 +15,6 @@ from core.output.contact_force import force_peak
 from core.output.elasticity import (
     HertzLaw,
     LinearLaw,
-    PalmgrenLaw,
     PinSupport,
     PowerLaw,
     pin_compliance,
@@ -23,14 +22,13 @@ from core.output.elasticity import (
 from core.output.loaded_position import LoadedPosition
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
-from core.output.real_curves import RealCurves, real_curves
 from core.output.real_mechanism import RealMechanism
 from core.output.real_turn import sampled
 from core.output.room import Deviations
 from core.output.summits import summits
 from core.output.turn import Turn
 from core.precision import CONVERGED, EXACT, JUDGED, SEARCHED
-from tests.inputs.classes import force_error, lag_error
+from tests.inputs.classes import lag_error
 from tests.inputs.real_mechanisms import (
     STEEL,
     crank_angles,
@@ -38,111 +36,12 @@ from tests.inputs.real_mechanisms import (
     flat,
     reals,
     solved,
-    torques,
 )
 
 
 def same_forces(found: LoadedPosition, forces: list[float], error: float) -> None:
     largest = max(forces)
     assert flat(found) == pytest.approx(forces, rel=0, abs=(1e-14 + error) * largest)
-
-
-@given(reals(), crank_angles, torques)
-def test_the_forces_hold_the_torque_and_do_not_pull(
-    real: RealMechanism, angle: float, torque: float
-) -> None:
-    found = solved(real, angle, torque)
-    assert min(flat(found)) >= 0
-    stated = 1e-13 * max(flat(found)) + force_error(found)
-    error = stated * real.pin_circle_radius
-    assert sum(found.satellite_torque) == pytest.approx(torque, rel=0, abs=error)
-    assert found.stiffness > 0
-
-
-@given(reals(), crank_angles, torques)
-def test_pins_renumbered(real: RealMechanism, angle: float, torque: float) -> None:
-    """Pin 2 becomes pin 1 with its errors, the wave a pitch behind."""
-    pins = real.mechanism.pins
-    kept = real.deviations
-
-    def turned(row: tuple) -> tuple:
-        return row[1:] + row[:1]
-
-    moved = replace(
-        kept,
-        **{
-            name: turned(getattr(kept, name))
-            for name in ("pin_radial", "pin_tangential", "pin_radius")
-        },
-        **{
-            name: tuple(map(turned, getattr(kept, name)))
-            for name in ("hole_radial", "hole_tangential", "hole_radius")
-        },
-    )
-    step = 2 * math.pi / pins
-    other = replace(
-        real,
-        deviations=moved,
-        mechanism=replace(real.mechanism, initial_crank_angle=step),
-    )
-    found, again = solved(real, angle, torque), solved(other, angle, torque)
-    expected = [force for row in found.force for force in turned(row)]
-    error = found.accuracy.relative_error + again.accuracy.relative_error
-    same_forces(again, expected, error)
-
-
-@given(reals(), crank_angles, torques)
-def test_mirror(real: RealMechanism, angle: float, torque: float) -> None:
-    """Angles, tangential errors, phases and torque change their sign, the pins their order."""
-    kept = real.deviations
-
-    def back(row: tuple) -> tuple:
-        return row[:1] + row[:0:-1]
-
-    def minus(row: tuple) -> tuple:
-        return tuple(-x for x in row)
-
-    mirrored = Deviations(
-        pin_radial=back(kept.pin_radial),
-        pin_tangential=minus(back(kept.pin_tangential)),
-        pin_radius=back(kept.pin_radius),
-        hole_radial=tuple(map(back, kept.hole_radial)),
-        hole_tangential=tuple(minus(back(row)) for row in kept.hole_tangential),
-        hole_radius=tuple(map(back, kept.hole_radius)),
-        eccentricity=kept.eccentricity,
-        crank_phase=minus(kept.crank_phase),
-        disc_phase=minus(kept.disc_phase),
-    )
-    mechanism = replace(real.mechanism, crank_angles=minus(real.mechanism.crank_angles))
-    other = replace(real, deviations=mirrored, mechanism=mechanism)
-    found, again = solved(real, angle, torque), solved(other, -angle, -torque)
-    error = found.accuracy.relative_error + again.accuracy.relative_error
-    same_forces(again, [force for row in found.force for force in back(row)], error)
-    assert abs(again.rotation + found.rotation) <= lag_error(real.pin_circle_radius, found, again)
-
-
-@given(reals(exact=False, powers=True), crank_angles, st.floats(0.5, 2.0))
-def test_scaled_gaps(real: RealMechanism, angle: float, scale: float) -> None:
-    """First order: gaps times s and torque times s^n give forces times s^n; a crank that is ahead
-    turns the lines of action as well.
-    """
-    real = replace(real, deviations=replace(real.deviations, crank_phase=()))
-    exponent = {LinearLaw: 1.0, PalmgrenLaw: 10 / 9}.get(type(real.law))
-    exponent = exponent or real.law.exponent
-
-    def scaled(values: tuple) -> tuple:
-        return tuple(scaled(x) if isinstance(x, tuple) else x * scale for x in values)
-
-    kept = real.deviations
-    other = replace(
-        real,
-        clearance=real.clearance * scale,
-        deviations=Deviations(*(scaled(getattr(kept, name)) for name in kept.__slots__)),
-    )
-    grown = scale**exponent
-    found, again = solved(real, angle, 20.0), solved(other, angle, 20.0 * grown)
-    error = found.accuracy.relative_error + again.accuracy.relative_error
-    same_forces(again, [force * grown for force in flat(found)], error)
 
 
 @example(  # pressed pins and infinite stiffness at each touch: Newton alone goes back and forth
@@ -184,43 +83,6 @@ def test_all_pins_moved_along_the_circle(real: RealMechanism, angle: float, move
     same_forces(again, flat(found), error)
     expected = found.rotation + moved / real.pin_circle_radius
     assert abs(again.rotation - expected) <= 2 * lag_error(real.pin_circle_radius, found, again)
-
-
-@example(  # pressed by two pairs, while a third is at its dead angle
-    real=RealMechanism(
-        mechanism=Mechanism(pins=4, crank_angles=(0.0,), ratio=2.0),
-        pin_circle_radius=0.04,
-        pin_radius=0.005,
-        eccentricity=0.002,
-        contact_length=0.012,
-        law=LinearLaw(1e8),
-        clearance=0.0,
-        deviations=Deviations(hole_tangential=((0.0, 0.0, -9.2e-6, 1e-5),)),
-        exact=False,
-        pin_material=STEEL,
-        hole_material=STEEL,
-    ),
-    angle=0.0,
-)
-@given(reals(), crank_angles)
-def test_more_torque_turns_further(real: RealMechanism, angle: float) -> None:
-    lags = [solved(real, angle, torque).rotation for torque in (-100.0, -1.0, 1.0, 100.0)]
-    assert lags == sorted(lags)
-
-
-@given(reals(), crank_angles)
-def test_play_is_what_vanishing_loads_leave(real: RealMechanism, angle: float) -> None:
-    nothing = 1e-5
-    found = solved(real, angle, nothing)
-    if found.play is None:
-        return
-    back = solved(real, angle, -nothing)
-    soft = 1e-4  # the power 3 gives much under a little
-    assert back.rotation == pytest.approx(found.play[0], abs=soft)
-    assert found.rotation == pytest.approx(found.play[1], abs=soft)
-    wider = replace(real, clearance=real.clearance + 1e-6)
-    play = solved(wider, angle, 1.0).play
-    assert play[0] <= found.play[0] and found.play[1] <= play[1]
 
 
 @given(st.integers(3, 9), st.integers(1, 3), st.sampled_from([1.0, 10 / 9, 1.5]))
@@ -384,26 +246,6 @@ def test_spikes_are_not_between_the_positions() -> None:
     )
     assert highest <= found.peak_force * (1 + found.accuracy.relative_error)
     assert highest > 0.9 * found.peak_force
-
-
-@pytest.mark.parametrize("exact", [False, True])
-@pytest.mark.parametrize("torque", [30.0, -30.0])
-def test_the_crank_carries_the_load_and_what_the_contacts_store(exact: bool, torque: float) -> None:
-    """T_in = T*(1/u - d lag/d phi) + dE/d phi, by differences; over a turn the mean is T/u."""
-    real = design(exact=exact, deviations=Deviations(pin_tangential=(-1e-5, *[0.0] * 7)))
-    ratio, step = real.mechanism.ratio, 1e-6
-    angles = np.array([0.1, 1.3, 2.9, 5.0])
-
-    def curves(at: np.ndarray) -> RealCurves:
-        return real_curves(real=real, crank_angle=at, output_torque=torque)
-
-    before, found, after = (curves(angles + off) for off in (-step, 0.0, step))
-    energy = [(each.force**2).sum(axis=0) / 2 / 5e7 for each in (before, after)]
-    slope = (after.rotation - before.rotation) / (2 * step)
-    expected = torque * (1 / ratio - slope) + (energy[1] - energy[0]) / (2 * step)
-    assert found.input_torque == pytest.approx(expected, abs=1e-7)
-    turn = real.mechanism.crank_angle_per_wave * np.arange(720) / 720
-    assert curves(turn).input_torque.mean() == pytest.approx(torque / ratio, rel=SEARCHED)
 
 
 @pytest.mark.parametrize("angle", [0.0, 1e-9, 1e-5, 0.5])

@@ -15,7 +15,6 @@ from core.output.elasticity import (
     HertzLaw,
     LinearLaw,
     PinSupport,
-    PowerLaw,
     Shares,
     pin_compliance,
 )
@@ -28,7 +27,6 @@ from core.ring.profile import CycloidDisc, Modification
 from core.ring.sharing import (
     CycloidMesh,
     MeshPosition,
-    MeshTurn,
     RingDeviations,
     ideal_mesh,
     mesh_gaps,
@@ -42,7 +40,6 @@ from tests.oracles.ring_distance import Distances
 from tests.oracles.seeds import seeds
 
 DISC = CycloidDisc(11, 2.5e-3, 0.05, 0.005, Modification(2e-5, -1e-5))
-TURNED = replace(DISC, modification=Modification(rotation=1e-4))
 PERFECT = replace(DISC, modification=Modification())
 
 
@@ -64,20 +61,6 @@ def at(mesh: CycloidMesh, angle: float, torque: float) -> MeshPosition:
 
 def flat(found: MeshPosition) -> list[float]:
     return [each for row in found.force for each in row]
-
-
-@pytest.mark.parametrize("seed", seeds(16))
-def test_the_torques_of_the_discs_are_the_load(seed: int) -> None:
-    mesh, angle, torque = drawn(seed)
-    found = at(mesh, angle, torque)
-    assert sum(found.disc_torque) == pytest.approx(torque, rel=SAME)
-    if seed % 2:
-        first = at(replace(mesh, exact=False), angle, torque)
-        across = [
-            each / (mesh.disc.eccentricity * mesh.disc.satellite_teeth)
-            for each in first.disc_torque
-        ]
-        assert first.crank_across == pytest.approx(across, rel=SAME)
 
 
 @pytest.mark.parametrize("seed", seeds(4))
@@ -106,50 +89,6 @@ def test_curves_of_given_shares_are_of_the_lags_of_each_disc() -> None:
         assert found.rotation[0] != found.rotation[1]
 
 
-@pytest.mark.parametrize("seed", seeds(8))
-@pytest.mark.parametrize("exact", [True, False])
-def test_pins_renumbered_with_their_errors(seed: int, exact: bool) -> None:
-    mesh, angle, torque = drawn(seed, exact=exact)
-    own, pins = mesh.deviations, mesh.disc.pins
-    moved = {
-        name: getattr(own, name)[-1:] + getattr(own, name)[:-1]
-        for name in ("pin_radial", "pin_tangential", "pin_radius")
-    }
-    turned = replace(mesh, deviations=replace(own, **moved))
-    found, other = at(mesh, angle, torque), at(turned, angle - 2 * math.pi / pins, torque)
-    for row, rolled in zip(found.force, other.force, strict=True):
-        assert [rolled[-1], *rolled[:-1]] != row
-        assert [*rolled[1:], rolled[0]] == pytest.approx(row, abs=1e-9 * max(flat(found)))
-
-
-@pytest.mark.parametrize("seed", seeds(8))
-@pytest.mark.parametrize("exact", [True, False])
-def test_the_mirrored_mesh_is_turned_back_as_much(seed: int, exact: bool) -> None:
-    mesh, angle, torque = drawn(seed, exact=exact)
-    own = mesh.deviations
-
-    def back(row: tuple[float, ...], sign: int) -> tuple[float, ...]:
-        return tuple(sign * row[-k % len(row)] for k in range(len(row)))
-
-    mirrored = RingDeviations(
-        back(own.pin_radial, 1),
-        back(own.pin_tangential, -1),
-        back(own.pin_radius, 1),
-        own.eccentricity,
-        tuple(-each for each in own.crank_phase),
-        tuple(-each for each in own.disc_phase),
-    )
-    angles = tuple(-each for each in mesh.crank_angles)
-    other = at(replace(mesh, deviations=mirrored, crank_angles=angles), -angle, -torque)
-    found = at(mesh, angle, torque)
-    assert other.rotation == pytest.approx([-each for each in found.rotation], rel=EXACT)
-    near = 1e-9 * max(flat(found))
-    for row, back_row in zip(found.force, other.force, strict=True):
-        assert back(back_row, 1) == pytest.approx(row, abs=near)
-    assert other.crank_along == pytest.approx(found.crank_along, abs=10 * near)
-    assert other.crank_across == pytest.approx([-each for each in found.crank_across], rel=EXACT)
-
-
 @pytest.mark.parametrize("seed", seeds(4))
 def test_larger_pins_in_a_larger_cut_change_nothing_but_curvatures(seed: int) -> None:
     mesh, angle, torque = drawn(4 * seed, law=LinearLaw(1e8))
@@ -163,32 +102,6 @@ def test_larger_pins_in_a_larger_cut_change_nothing_but_curvatures(seed: int) ->
     if found.play is not None:
         assert same.play == pytest.approx(found.play, rel=EXACT)
     assert same.max_pressure != pytest.approx(found.max_pressure, rel=SEARCHED)
-
-
-@pytest.mark.parametrize("law", [LinearLaw(1e8), PowerLaw(1.5, 1e3, 1e-5)])
-def test_all_gaps_times_a_number(law: Any) -> None:
-    """In first order forces grow by its power."""
-    errors = RingDeviations(pin_radial=tuple(1e-6 * (k % 5 - 2) for k in range(12)))
-    mesh = mesh_of(law=law, exact=False, deviations=errors)
-    times, power = 3.0, 1.5 if isinstance(law, PowerLaw) else 1.0
-    change = Modification(*(times * each for each in (2e-5, -1e-5)))
-    larger = replace(
-        mesh,
-        disc=replace(DISC, modification=change),
-        deviations=RingDeviations(pin_radial=tuple(times * each for each in errors.pin_radial)),
-    )
-    found = at(mesh, 1.0, 100.0)
-    other = at(larger, 1.0, 100.0 * times**power)
-    assert flat(other) == pytest.approx([times**power * each for each in flat(found)], rel=SAME)
-
-
-def test_the_lag_grows_with_the_torque() -> None:
-    mesh, angle, _ = drawn(5)
-    torques = [-100.0, -10.0, -1.0, -1e-3, 1e-3, 1.0, 10.0, 100.0]
-    lags = [at(mesh, angle, torque).rotation[0] for torque in torques]
-    assert lags == sorted(lags)
-    play = at(mesh, angle, 1.0).play
-    assert (lags[3], lags[4]) == pytest.approx(play, rel=1e-3)
 
 
 @pytest.mark.parametrize("z", [11, 29, 59])
@@ -448,38 +361,6 @@ def test_a_contact_is_at_most_as_wide_as_its_pin() -> None:
     assert max(widths) <= 2e-4 * (1 + 1e-9) and pressure < modulus
 
 
-@pytest.mark.parametrize("seed", seeds(4))
-def test_the_crank_s_torque_in_first_order(seed: int) -> None:
-    """Reference: the crank's part of the load, and the force of each pin times the derivative of
-    its approach by the crank angle, by differences of the papers' formulas.
-    """
-    mesh, angle, torque = drawn(seed, exact=False)
-    change = replace(mesh.disc.modification, rotation=1e-4)
-    mesh = replace(mesh, disc=replace(mesh.disc, modification=change))
-    disc, own, pins = mesh.disc, mesh.deviations, mesh.disc.pins
-    found = at(mesh, angle, torque)
-
-    def approach_of(j: int, k: int, phi: float) -> float:
-        a = phi + mesh.crank_angles[j] + own.crank_phase[j] + 2 * math.pi * k / pins
-        k1 = disc.shortening_coefficient
-        slope = math.sqrt(1 + k1 * k1 - 2 * k1 * math.cos(a))
-        lever = -disc.eccentricity * disc.satellite_teeth * math.sin(a) / slope
-        late = own.disc_phase[j] + own.crank_phase[j] / disc.satellite_teeth
-        gap = change.equidistant - own.pin_radius[k] - late * lever
-        gap += (own.pin_radial[k] - change.pin_circle) * (1 - k1 * math.cos(a)) / slope
-        gap += own.pin_tangential[k] * k1 * math.sin(a) / slope
-        gap -= own.eccentricity[j] * (math.cos(a) - k1) / slope
-        return lever * found.rotation[j] - gap - change.rotation * abs(lever)
-
-    expected, step = torque / disc.satellite_teeth, 1e-5
-    for j, row in enumerate(found.force):
-        for k, force in enumerate(row):
-            grown = approach_of(j, k, angle + step) - approach_of(j, k, angle - step)
-            expected += force * grown / (2 * step)
-    on_crank = float(mesh.solved([mesh.wave(angle)], torque).input_torque[0])
-    assert on_crank == pytest.approx(expected, abs=1e-7 * abs(torque) / disc.satellite_teeth)
-
-
 def test_over_a_turn_friction_costs_what_slides() -> None:
     turn = mesh_over_turn(mesh=mesh_of(), output_torque=100.0)
     plain = ring_loss(turn=turn, friction=RingFriction(0.05), input_speed=-100.0)
@@ -530,9 +411,6 @@ def test_sliding_is_what_a_point_of_the_disc_does_on_its_pin() -> None:
         speeds.append(abs(material - contact) / step)
         assert abs(contact - pin) == pytest.approx(disc.ring_pin_radius) and a > 0
     assert found.sliding_distance / disc.satellite_teeth == pytest.approx(max(speeds), rel=JUDGED)
-
-
-READ = [name for name in dir(MeshTurn) if isinstance(getattr(MeshTurn, name), property)]
 
 
 @pytest.mark.parametrize("seed", seeds(24))

@@ -3,9 +3,8 @@
 import math
 from dataclasses import replace
 
-import numpy as np
 import pytest
-from hypothesis import example, given
+from hypothesis import given
 from hypothesis import strategies as st
 
 from core.errors import ImpossibleMechanism, InvalidInput
@@ -14,24 +13,19 @@ from core.output.elasticity import (
     CrankSupport,
     ElasticMesh,
     LinearLaw,
-    PinSupport,
-    PowerLaw,
     SatelliteSupport,
     Shares,
 )
 from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
-from core.output.real_curves import real_curves
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations
-from core.precision import JUDGED, SAME, SEARCHED
+from core.precision import SAME, SEARCHED
 from tests.inputs.classes import force_error, lag_error
 from tests.inputs.real_mechanisms import (
-    STEEL,
     crank_angles,
     design,
     flat,
-    held,
     reals,
     solved,
     torques,
@@ -99,99 +93,6 @@ def test_shares_multiply_the_ideal_force() -> None:
         for shares in ((0.55, 0.45), (0.5, 0.5))
     )
     assert more.peak_force / equal.peak_force == pytest.approx(1.1, rel=SAME)
-
-
-@given(held(), crank_angles, torques)
-def test_the_forces_hold_the_torque_and_do_not_pull(
-    real: RealMechanism, angle: float, torque: float
-) -> None:
-    found = solved(real, angle, torque)
-    assert min(flat(found)) >= 0
-    error = 1e-13 + found.accuracy.relative_error  # much under a tiny load on soft cranks
-    largest = error * max(flat(found)) * real.pin_circle_radius
-    assert sum(found.satellite_torque) == pytest.approx(torque, rel=0, abs=largest)
-    assert found.stiffness > 0
-    if isinstance(real.support, Shares):
-        for own, share in zip(found.satellite_torque, real.support.shares, strict=True):
-            assert own == pytest.approx(share * torque, rel=0, abs=largest)
-
-
-@given(held(), crank_angles)
-def test_more_torque_turns_further_and_play_is_what_none_leaves(
-    real: RealMechanism, angle: float
-) -> None:
-    lags = [solved(real, angle, torque).rotation for torque in (-100.0, -1.0, 1.0, 100.0)]
-    assert lags == sorted(lags)
-    found = solved(real, angle, 1e-5)
-    if found.play is not None:
-        back, soft = solved(real, angle, -1e-5), 1e-5
-        assert back.rotation == pytest.approx(found.play[0], abs=soft)
-        assert found.rotation == pytest.approx(found.play[1], abs=soft)
-
-
-@example(  # beside a dead angle by next to nothing: a contact of 1e-193 m, whose square is none
-    real=design(
-        mechanism=Mechanism(3, (0.0,), 2.0),
-        law=PowerLaw(0.5, 1000.0, 1e-5),
-        clearance=0.0,
-        pin=PinSupport("cantilever", 0.010, (0.025,), STEEL),
-        support=ElasticMesh(1e4),
-        exact=False,
-    ),
-    angle=5e-191,
-    torque=-20.0,
-)
-@given(held(), crank_angles, st.sampled_from([1.0, -200.0]))
-def test_the_stiffness_is_the_slope_of_the_torque(
-    real: RealMechanism, angle: float, torque: float
-) -> None:
-    found = solved(real, angle, torque)
-    step = 1e-4
-    less, more = (solved(real, angle, torque * (1 + off)) for off in (-step, step))
-    slopes = [less.stiffness, found.stiffness, more.stiffness]
-    if max(slopes) > 1.01 * min(slopes):
-        return  # a pair takes up
-    slope = 2 * step * torque / (more.rotation - less.rotation)
-    unsure = lag_error(real.pin_circle_radius, less, more) / abs(more.rotation - less.rotation)
-    assert found.stiffness == pytest.approx(slope, rel=1e-3 + unsure)
-
-
-SUPPORTS = [
-    CrankSupport(stiffness=1e8, radial_clearance=2e-5),
-    ElasticMesh(stiffness=2e4),
-    Shares((0.55, 0.45)),
-]
-
-
-@pytest.mark.parametrize("torque", [30.0, -30.0])
-@pytest.mark.parametrize("support", [CrankSupport(5e7, 1e-5), ElasticMesh(2e4), Shares((0.6, 0.4))])
-def test_the_crank_carries_the_load_and_what_springs_store(
-    support: SatelliteSupport, torque: float
-) -> None:
-    """T_in = T*(1/u - d lag/d phi) + dE/d phi, by differences; over a turn the mean is T/u."""
-    real = replace(AHEAD, support=support)
-    ratio, step = real.mechanism.ratio, 1e-6
-    angles = np.array([0.1, 1.3, 2.9, 5.0])
-
-    def energy(angle: float) -> float:
-        found = solved(real, angle, torque)
-        stored = sum(force**2 for force in flat(found)) / 2 / 5e7
-        if isinstance(support, CrankSupport):
-            stored += sum(sum(row) ** 2 for row in found.force) / 2 / support.stiffness
-        if isinstance(support, ElasticMesh):
-            stored += sum(own**2 for own in found.satellite_torque) / 2 / support.stiffness
-        return stored
-
-    found = real_curves(real=real, crank_angle=angles, output_torque=torque)
-    for angle, on_crank in zip(angles, found.input_torque, strict=True):
-        before, after = angle - step, angle + step
-        slope = solved(real, after, torque).rotation - solved(real, before, torque).rotation
-        stored = energy(after) - energy(before)
-        expected = torque / ratio + (stored - torque * slope) / (2 * step)
-        assert on_crank == pytest.approx(expected, abs=1e-6)
-    turn = real.mechanism.crank_angle_per_wave * np.arange(720) / 720
-    whole = real_curves(real=real, crank_angle=turn, output_torque=torque)
-    assert whole.input_torque.mean() == pytest.approx(torque / ratio, rel=JUDGED)
 
 
 @pytest.mark.parametrize("support", [CrankSupport(5e7, 1e-5), ElasticMesh(2e4), Shares((0.6, 0.4))])

@@ -116,103 +116,6 @@ def with_phases(ring: CycloidMesh, output: RealMechanism) -> Deviations:
     return replace(output.deviations, disc_phase=own.disc_phase, crank_phase=own.crank_phase)
 
 
-@pytest.mark.parametrize("seed", seeds(8))
-def test_the_torques_of_the_discs_are_the_load(seed: int) -> None:
-    series, angle, torque = drawn(seed, exact=False)
-    found = at(series, angle, torque)
-    assert sum(found.satellite_torque) == pytest.approx(torque, rel=SAME)
-    assert found.ring.disc_torque == found.satellite_torque
-    behind = [found.rotation - each for each in found.ring.rotation]
-    assert found.satellite_rotation == pytest.approx(behind, rel=SAME)
-
-
-@pytest.mark.parametrize("seed", seeds(6))
-def test_forces_turn_the_crank_by_their_arms(seed: int) -> None:
-    """In exact geometry: each disc is in balance about its centre, so that what presses it turns
-    the crank as if all of it pressed there.
-    """
-    series, angle, torque = drawn(seed)
-    found = at(series, angle, torque)
-    arms = [series.output.eccentricity + off for off in series.output.deviations.eccentricity]
-    turning = sum(arm * each for arm, each in zip(arms, found.across, strict=True))
-    assert turning == pytest.approx(found.input_torque, rel=SAME)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("exact", [True, False])
-def test_the_mean_torque_of_the_crank_is_its_part_of_the_load(exact: bool) -> None:
-    """Over the turns after which all repeats: what contacts store they give back."""
-    series = series_of(
-        exact=exact,
-        disc_phase=PHASE,
-        output={"law": LinearLaw(2e8), "deviations": Deviations(PIN, disc_phase=PHASE)},
-    )
-    turns = 2 * math.pi * 11
-    torques = [at(series, turns * k / 990, 150.0).input_torque for k in range(990)]
-    assert np.mean(torques) == pytest.approx(150.0 / 11, rel=JUDGED)
-    assert max(torques) - min(torques) > 1e-3
-    one, other = at(series, 0.7, 150.0), at(series, 0.7 + turns, 150.0)
-    assert other.rotation == pytest.approx(one.rotation, rel=SAME)
-    assert other.rotation != pytest.approx(at(series, 0.7 + 2 * math.pi, 150.0).rotation, rel=1e-4)
-
-
-@pytest.mark.parametrize("seed", seeds(6))
-@pytest.mark.parametrize("exact", [True, False])
-def test_the_mirrored_drive_is_turned_back_as_much(seed: int, exact: bool) -> None:
-    series, angle, torque = drawn(seed, exact=exact)
-    ring, output = series.ring, series.output
-
-    def back(row: tuple[Any, ...], sign: int = 1) -> tuple[Any, ...]:
-        return tuple(sign * row[-k % len(row)] for k in range(len(row)))
-
-    own, errors = ring.deviations, output.deviations
-    phases = {
-        name: tuple(-each for each in getattr(own, name)) for name in ("crank_phase", "disc_phase")
-    }
-    angles = tuple(-each for each in ring.crank_angles)
-    mirrored = MeshesInSeries(
-        replace(
-            ring,
-            crank_angles=angles,
-            deviations=replace(
-                own,
-                pin_radial=back(own.pin_radial),
-                pin_tangential=back(own.pin_tangential, -1),
-                pin_radius=back(own.pin_radius),
-                **phases,
-            ),
-        ),
-        replace(
-            output,
-            mechanism=replace(
-                output.mechanism,
-                crank_angles=angles,
-                initial_crank_angle=-output.mechanism.initial_crank_angle,
-            ),
-            deviations=Deviations(
-                back(errors.pin_radial),
-                back(errors.pin_tangential, -1),
-                back(errors.pin_radius),
-                tuple(back(row) for row in errors.hole_radial),
-                tuple(back(row, -1) for row in errors.hole_tangential),
-                tuple(back(row) for row in errors.hole_radius),
-                errors.eccentricity,
-                **phases,
-            ),
-        ),
-    )
-    found, other = at(series, angle, torque), at(mirrored, -angle, -torque)
-    assert other.rotation == pytest.approx(-found.rotation, rel=EXACT)
-    most = max(flat(found.force) + flat(found.ring.force))
-    for rows, others in ((found.force, other.force), (found.ring.force, other.ring.force)):
-        for row, turned in zip(rows, others, strict=True):
-            assert back(turned) == pytest.approx(row, abs=1e-9 * most)
-    assert other.play == pytest.approx([-each for each in reversed(found.play)], rel=EXACT)
-    for limits, others in zip(found.ring.play, other.ring.play, strict=True):
-        assert others == pytest.approx([-each for each in reversed(limits)], rel=EXACT)
-    assert other.input_torque == pytest.approx(-found.input_torque, rel=EXACT)
-
-
 PHASES = {"disc_phase": (3e-5, -2e-5), "crank_phase": (2e-4, -3e-4)}
 BENT = PinSupport("cantilever", 0.006, (0.01, 0.025), STEEL)
 
@@ -269,15 +172,6 @@ def test_a_disc_that_carries_nothing_lies_in_the_middle(exact: bool) -> None:
     ends = max(low, found.rotation - slack[1]), min(high, found.rotation - slack[0])
     assert found.ring.rotation[1] == pytest.approx(sum(ends) / 2, rel=1e-2 if exact else 1e-9)
     assert not any(found.force[1]) and not any(found.ring.force[1])
-
-
-def test_the_lag_grows_with_the_torque_from_the_play_on() -> None:
-    series, angle, _ = drawn(5)
-    torques = [-100.0, -10.0, -1.0, -1e-3, 1e-3, 1.0, 10.0, 100.0]
-    found = [at(series, angle, torque) for torque in torques]
-    lags = [each.rotation for each in found]
-    assert lags == sorted(lags)
-    assert (lags[3], lags[4]) == pytest.approx(found[0].play, rel=1e-3)
 
 
 @pytest.mark.parametrize("exact", [True, False])

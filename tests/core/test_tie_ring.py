@@ -22,10 +22,8 @@ from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations
 from core.output.tie_ring import RingForces, RingJoint, TieRing, ring_forces
 from core.output.tied_pin import TiedPin
-from core.output.turn import Turn
-from core.precision import EXACT, JUDGED, SAME, SEARCHED
-from tests.inputs.classes import force_error
-from tests.inputs.real_mechanisms import LAWS, STEEL, made
+from core.precision import EXACT, JUDGED, SEARCHED
+from tests.inputs.real_mechanisms import STEEL, made
 from tests.oracles import tie_ring as oracle
 
 CASES = {
@@ -297,64 +295,6 @@ def test_a_ring_far_away_is_none() -> None:
     nearer = at(real(pin=replace(far, span=5.0)))
     off = [np.abs(np.array(each.force) - expected.force).max() for each in (found, nearer)]
     assert off[1] > 5 * off[0] > 0
-
-
-@pytest.mark.parametrize("joint", JOINTS)
-@pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("torque", [500.0, -3.0])
-def test_a_position_is_balanced(joint: RingJoint, law: Any, torque: float) -> None:
-    rng = np.random.default_rng(7)
-    errors = Deviations(
-        pin_radial=tuple(rng.normal(0, 1e-5, 6)),
-        hole_tangential=tuple(tuple(rng.normal(0, 1e-5, 6)) for _ in range(2)),
-        disc_phase=(1e-4, -2e-4),
-    )
-    for degrees in (0.0, 33.0, 77.0):
-        found = at(real(joint, law=law, deviations=errors), degrees, torque)
-        largest = max(map(max, found.force))
-        assert math.fsum(found.satellite_torque) == pytest.approx(torque, rel=SAME)
-        assert force_error(found) < 1e-9 * largest
-        other = at(real(joint, law=law, deviations=errors), degrees, torque * 1.001)
-        slope = (other.rotation - found.rotation) / (torque * 0.001)
-        assert 1 / slope == pytest.approx(found.stiffness, rel=2e-3)
-
-
-@pytest.mark.parametrize("degrees", [0.0, 41.3, 222.0])
-@pytest.mark.parametrize("joint", JOINTS)
-@pytest.mark.parametrize("law", LAWS[:4])
-def test_a_pin_later_feels_the_same(degrees: float, joint: RingJoint, law: Any) -> None:
-    design = real(joint, law=law)
-    pitch = math.degrees(2 * math.pi / 6 / (1 + 1 / 20))
-    one, other = at(design, degrees), at(design, degrees + pitch)
-    close = 1e-9 * max(map(max, one.force)) + force_error(one) + force_error(other)
-    moved = np.roll(np.array(other.force), 1, axis=1)
-    assert np.array(one.force) == pytest.approx(moved, abs=close)
-
-
-@pytest.mark.parametrize("joint", JOINTS)
-@pytest.mark.parametrize("pins", [3, 6])
-def test_the_crank_gives_what_load_and_pins_take(joint: RingJoint, pins: int) -> None:
-    """The torque on the crank by a balance of energy: half of each force times its approach."""
-    mechanism = Mechanism.evenly_spaced(pins=pins, satellites=2, ratio=20.0)
-    design, step = real(joint, mechanism=mechanism), 1e-5
-    turn = Turn(design, 500.0)
-    lags, stored = [], []
-    for angle in (0.7 - step, 0.7 + step):
-        psi = mechanism.wave_angle(angle)
-        found = at(design, math.degrees(angle))
-        chi = np.array(
-            [
-                [psi + a + 2 * math.pi * n / pins for n in range(pins)]
-                for a in mechanism.crank_angles
-            ]
-        )
-        approach = -0.05 * np.sin(chi) * found.rotation - 2e-5
-        lags.append(found.rotation)
-        stored.append(float((np.array(found.force) * approach).sum()) / 2)
-    expected = 500 / 20 - 500 * np.diff(lags)[0] / (2 * step) + np.diff(stored)[0] / (2 * step)
-    (torque,) = turn.poses([design.wave(0.7)])["input_torque"]
-    assert torque == pytest.approx(expected, abs=1e-6)
-    assert abs(torque - 25) > 1e-2
 
 
 def test_a_ring_evens_out_and_does_not_hold() -> None:

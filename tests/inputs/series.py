@@ -5,7 +5,17 @@ import random
 from dataclasses import replace
 from typing import Any
 
-from core.output.elasticity import ContactLaw, HertzLaw, LinearLaw, PalmgrenLaw, PowerLaw
+import numpy as np
+
+from core.output.elasticity import (
+    ContactLaw,
+    HertzLaw,
+    LinearLaw,
+    PalmgrenLaw,
+    PinSupport,
+    PowerLaw,
+    SatelliteSupport,
+)
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations
@@ -121,3 +131,20 @@ def drawn(seed: int, **changes: Any) -> tuple[MeshesInSeries, float, float]:
         replace(ring, **changes.pop("ring", {})), replace(output, **changes.pop("output", {}))
     )
     return series, r.uniform(0, 20), torque
+
+
+Supported = tuple[RealMechanism, CycloidMesh, float, float]
+
+
+def supported(seed: int, support: SatelliteSupport, tie: str = "") -> Supported:
+    """Output and ring with errors of every kind, linear contacts, and a tie ring by its joint."""
+    both, angle, torque = drawn(4 * seed)
+    r = np.random.default_rng(seed)
+    output = replace(both.output, law=LinearLaw(10 ** r.uniform(7.5, 9)), support=support)
+    if tie:
+        places = tuple(0.012 + 0.014 * j for j in range(output.mechanism.satellites))
+        span = places[-1] + 0.011
+        pin = PinSupport("tie_ring", 1.9 * output.pin_radius, places, STEEL, span, ring_joint=tie)  # type: ignore[arg-type]
+        output = replace(output, contact_length=0.01, pin=pin)
+    ring = replace(both.ring, law=LinearLaw(10 ** r.uniform(8, 9)))
+    return output, ring, angle, torque

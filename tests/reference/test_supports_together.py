@@ -12,7 +12,6 @@ from core.drive import engine
 from core.output.elasticity import (
     CrankSupport,
     ElasticMesh,
-    LinearLaw,
     PinSupport,
     SatelliteSupport,
     Shares,
@@ -23,7 +22,6 @@ from core.output.real_mechanism import RealMechanism
 from core.output.stage import Solved, Stage
 from core.precision import EXACT
 from core.ring.series import MeshesInSeries, series_position
-from core.ring.sharing import CycloidMesh
 from tests.inputs import series
 from tests.inputs.real_mechanisms import STEEL
 from tests.oracles.seeds import seeds
@@ -34,23 +32,6 @@ NEAR = 1e-7
 
 FLOATS = CrankSupport(2e8, 1.6e-5)
 SOFT = CrankSupport(1.5e8)
-
-
-Made = tuple[RealMechanism, CycloidMesh, float, float]
-
-
-def made(seed: int, support: SatelliteSupport, tie: str = "") -> Made:
-    """Output and ring with errors of every kind, linear contacts, and a tie ring by its joint."""
-    both, angle, torque = series.drawn(4 * seed)
-    r = np.random.default_rng(seed)
-    output = replace(both.output, law=LinearLaw(10 ** r.uniform(7.5, 9)), support=support)
-    if tie:
-        places = tuple(0.012 + 0.014 * j for j in range(output.mechanism.satellites))
-        span = places[-1] + 0.011
-        pin = PinSupport("tie_ring", 1.9 * output.pin_radius, places, STEEL, span, ring_joint=tie)  # type: ignore[arg-type]
-        output = replace(output, contact_length=0.01, pin=pin)
-    ring = replace(both.ring, law=LinearLaw(10 ** r.uniform(8, 9)))
-    return output, ring, angle, torque
 
 
 def unknowns(stage: Stage, room: Solved, network: Network) -> np.ndarray:
@@ -88,7 +69,7 @@ def compared(real: Stage, output: RealMechanism, ring: Any, angle: float, torque
 @pytest.mark.parametrize("clearance", [0.0, 1.2e-5])
 def test_a_bearing_and_an_elastic_mesh_together(seed: int, tie: str, clearance: float) -> None:
     support = Supports(CrankSupport(2e8, clearance), ElasticMesh(3e4))
-    real, _, angle, torque = made(seed, support, tie)
+    real, _, angle, torque = series.supported(seed, support, tie)
     compared(real, real, None, angle, torque)
     found = loaded_position(real=real, crank_angle=angle, output_torque=torque)
     assert sum(found.satellite_torque) == pytest.approx(torque, rel=EXACT)
@@ -100,7 +81,7 @@ def test_a_bearing_and_an_elastic_mesh_together(seed: int, tie: str, clearance: 
 def test_discs_between_both_meshes_on_bearings_that_give(
     seed: int, tie: str, support: SatelliteSupport
 ) -> None:
-    output, ring, angle, torque = made(seed, support, tie)
+    output, ring, angle, torque = series.supported(seed, support, tie)
     both = MeshesInSeries(ring, output)
     there = compared(both, output, ring, angle, torque)
     found = series_position(real=both, crank_angle=angle, output_torque=torque)
@@ -165,7 +146,7 @@ def test_play_of_discs_that_float_is_where_parts_first_touch(seed: int) -> None:
     """Under less and less torque the output comes to the ends of its play; a wider bearing leaves
     more of it, and one that is only tight none more than its crank held it.
     """
-    output, ring, angle, torque = made(seed, FLOATS)
+    output, ring, angle, torque = series.supported(seed, FLOATS)
     both = MeshesInSeries(ring, output)
     low, high = series_position(real=both, crank_angle=angle, output_torque=torque).play
     for way, end in ((1, high), (-1, low)):
