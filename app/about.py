@@ -24,9 +24,9 @@ from app.problems import KINDS, RESPONSES, TEXTS
 from app.record import root_path
 from app.registry import CALCULATIONS, NEGLECTED
 from app.sources import ISO_286
-from app.units import api_value, core_name, from_si, to_si
+from app.units import api_value, from_si, to_si
 from app.worked import VALUES
-from core.bearings import BEARINGS, MAKERS, NamedBearing, Ratings
+from core.bearings import BEARINGS, NamedBearing, Ratings
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, NOT_CONSIDERED
 from core.checks.words import GROUPS as CHECK_GROUPS
@@ -38,7 +38,7 @@ from core.hertz import CRITERIA, LIMIT_SOURCES, VERIFIED, Criterion, Verified
 from core.material_table import ALIASES, MATERIALS
 from core.materials import GROUPS, Fact, Range, Seen, TableMaterial
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, Limits, class_limits
-from core.tolerance.processes import PROCESSES, Process, ProcessName, Size
+from core.tolerance.processes import PROCESSES, Process, Size
 from core.work_precision.study import SETTINGS
 from core.worked import words as worked_words
 
@@ -255,11 +255,9 @@ class SizeOut(ResponseModel):
         return None if size is None else cls(**{"class": size})
 
 
-class ProcessEntry(ResponseModel):
+class ProcessEntry(ResponseModel, of=Process):
     """Usual deviations of a manufacturing process: guide values for the part as it is made."""
 
-    code: ProcessName = Field(description="Name of the process in requests.")
-    title: str = Field(description="Designation of the process.")
     hole_diameter: Maybe[SizeOut] = Field(
         description="Usual class or limits of the diameter of holes."
     )
@@ -267,30 +265,14 @@ class ProcessEntry(ResponseModel):
         description="Usual class or limits of the diameter of pins; absent if the process makes "
         "no pins."
     )
-    position_mm: float = Field(description="Diameter of the round tolerance zone of each centre.")
-    clearance_mm: float = Field(
-        description="Radial clearance with which such parts usually run; for information, as no "
-        "request uses it."
-    )
-    least_clearance_mm: float = Field(description="Least radial clearance in the sources.")
-    largest_clearance_mm: float = Field(description="Largest radial clearance in the sources.")
-    source: str = Field(description="Source of the numbers.")
 
     @classmethod
     def of(cls, each: Process) -> "ProcessEntry":
         """Answer of a process."""
-        sizes = {f"{part}_diameter": SizeOut.of(each.size(part)) for part in ("hole", "pin")}
-        least, largest = each.clearances
-        return cls(
-            code=each.code,
-            title=each.title,
-            position_mm=from_si("position_mm", each.position),
-            clearance_mm=from_si("clearance_mm", each.clearance),
-            least_clearance_mm=from_si("clearance_mm", least),
-            largest_clearance_mm=from_si("clearance_mm", largest),
-            source=each.source,
-            **present(sizes),
-        )
+        sizes: dict[str, Any] = {
+            f"{part}_diameter": SizeOut.of(each.size(part)) for part in ("hole", "pin")
+        }
+        return cls.model_validate(cls.values(each, **sizes))
 
 
 class ProcessTable(ResponseModel):
@@ -299,70 +281,12 @@ class ProcessTable(ResponseModel):
     processes: list[ProcessEntry]
 
 
-class BearingRatingsOut(ResponseModel):
+class BearingRatingsOut(ResponseModel, of=Ratings):
     """Load ratings of a bearing by one maker."""
 
-    maker: str = Field(description="Maker of the bearing.")
-    shielded: bool = Field(description="True if the ratings hold for shielded bearings only.")
-    dynamic_rating_N: float = Field(description="Basic dynamic load rating C.")
-    static_rating_N: float = Field(description="Basic static load rating C₀.")
-    source: str = Field(description="Catalogue in which the ratings are stated.")
 
-    @classmethod
-    def of(cls, ratings: Ratings) -> "BearingRatingsOut":
-        """Answer of a maker's ratings."""
-        return cls(
-            maker=ratings.maker,
-            shielded=ratings.shielded,
-            dynamic_rating_N=ratings.dynamic_rating,
-            static_rating_N=ratings.static_rating,
-            source=MAKERS[ratings.maker],
-        )
-
-
-class BearingOut(ResponseModel):
+class BearingOut(ResponseModel, of=NamedBearing):
     """A bearing of the table."""
-
-    name: str = Field(description="Name of the bearing in requests.")
-    series: str = Field(description="Series of the bearing.")
-    kind: str = Field(description="Kind of rolling elements: ball or roller.")
-    elements: str = Field(description="Rolling elements: ball, cylindrical or needle.")
-    inner_ring: bool = Field(
-        description="False if the shaft is the raceway of the bearing; the ratings then hold for a "
-        "shaft of at least 58 HRC."
-    )
-    bore_diameter_mm: float = Field(
-        description="Bore d; without an inner ring the diameter of the shaft."
-    )
-    outer_diameter_mm: float = Field(description="Outer diameter D.")
-    width_mm: float = Field(
-        description="Width B of the shielded bearing; open bearings may be narrower."
-    )
-    mass_kg: float = Field(description="Mass.")
-    mass_source: str = Field(description="Catalogue in which the mass is stated.")
-    dynamic_rating_N: float = Field(
-        description="Lowest basic dynamic load rating C of all makers; calculations by the "
-        "bearing's name use it."
-    )
-    static_rating_N: float = Field(
-        description="Lowest basic static load rating C₀ of all makers; calculations by the "
-        "bearing's name use it."
-    )
-    makers: list[BearingRatingsOut] = Field(description="Ratings as each maker states them.")
-
-    @classmethod
-    def of(cls, bearing: NamedBearing) -> "BearingOut":
-        """Answer of a table entry."""
-        said = ("name", "series", "kind", "elements", "inner_ring")
-        sizes = ("bore_diameter_mm", "outer_diameter_mm", "width_mm", "mass_kg")
-        return cls(
-            **{each: getattr(bearing, each) for each in said},
-            **{size: from_si(size, getattr(bearing, core_name(size))) for size in sizes},
-            mass_source=MAKERS[bearing.mass_maker],
-            dynamic_rating_N=bearing.dynamic_rating,
-            static_rating_N=bearing.static_rating,
-            makers=[BearingRatingsOut.of(each) for each in bearing.makers],
-        )
 
 
 class BearingTable(ResponseModel):
@@ -629,7 +553,7 @@ async def materials() -> MaterialTable:
 @router.get("/bearings", operation_id="bearings")
 async def bearings() -> BearingTable:
     """The table of bearings by name, with the load ratings of each maker and their source."""
-    return BearingTable(bearings=[BearingOut.of(each) for each in BEARINGS.values()])
+    return BearingTable.model_validate({"bearings": [*map(BearingOut.values, BEARINGS.values())]})
 
 
 @router.get("/tolerances", operation_id="tolerances", responses={422: RESPONSES[422]})

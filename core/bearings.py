@@ -14,6 +14,8 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Literal
 
+from core.fields import answer, answered
+
 TABLES = Path(__file__).parent / "bearing_tables"
 """Folder of the tables."""
 
@@ -58,50 +60,84 @@ NEAR = 5
 
 @dataclass(frozen=True, slots=True)
 class Ratings:
-    """Load ratings of a bearing by one maker, N."""
+    """Load ratings of a bearing by one maker."""
 
-    maker: str  # a key of `MAKERS`
-    shielded: bool  # True if the ratings hold for shielded bearings only
-    dynamic_rating: float  # C
-    static_rating: float  # C0
+    maker: str = answer()
+    """Maker of the bearing."""
+    shielded: bool = answer()
+    """True if the ratings hold for shielded bearings only."""
+    dynamic_rating: float = answer("N")
+    """Basic dynamic load rating C."""
+    static_rating: float = answer("N")
+    """Basic static load rating C₀."""
+
+    @property
+    @answered()
+    def source(self) -> str:
+        """Catalogue in which the ratings are stated."""
+        return MAKERS[self.maker]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class NamedBearing:
     """Sizes, mass and load ratings of a named bearing."""
 
-    name: str  # without the suffix of shields or seals
-    series: str  # such as 62, NU2, RNA49
-    bore_diameter: float  # d, m; without an inner ring the diameter of the shaft
-    outer_diameter: float  # D, m
-    width: float  # B of the shielded bearing, m; open ones may be narrower
-    mass: float  # kg
+    name: str = answer()
+    """Name of the bearing in requests."""
+    series: str = answer()
+    """Series of the bearing."""
+    bore_diameter: float = answer("mm")
+    """Bore d; without an inner ring the diameter of the shaft."""
+    outer_diameter: float = answer("mm")
+    """Outer diameter D."""
+    width: float = answer("mm")
+    """Width B of the shielded bearing; open bearings may be narrower."""
+    mass: float = answer("kg")
+    """Mass."""
     mass_maker: str  # a key of `MAKERS`
-    makers: tuple[Ratings, ...]  # ratings of each maker
+    makers: tuple[Ratings, ...] = answer()
+    """Ratings as each maker states them."""
 
     @property
+    @answered()
+    def mass_source(self) -> str:
+        """Catalogue in which the mass is stated."""
+        return MAKERS[self.mass_maker]
+
+    @property
+    @answered()
     def elements(self) -> Literal["ball", "cylindrical", "needle"]:
-        """Rolling elements."""
+        """Rolling elements: ball, cylindrical or needle."""
         return ELEMENTS.get(self.series[:2], "ball")
 
     @property
+    @answered()
     def kind(self) -> Literal["ball", "roller"]:
-        """Kind of rolling elements, which states the exponent of the load in the life."""
+        """Kind of rolling elements: ball or roller."""
         return "ball" if self.elements == "ball" else "roller"
 
     @property
+    @answered()
     def inner_ring(self) -> bool:
-        """True if the bearing has an inner ring; else the shaft, of 58 HRC at least, is raceway."""
+        """False if the shaft is the raceway of the bearing; the ratings then hold for a shaft of at
+        least 58 HRC.
+        """
         return self.series not in ("RNA49", "HK")
 
     @property
+    @answered("N")
     def dynamic_rating(self) -> float:
-        """Lowest dynamic load rating C of all makers, N."""
+        """Lowest basic dynamic load rating C of all makers; calculations by the bearing's name use
+        it.
+        """
         return min(each.dynamic_rating for each in self.makers)
 
     @property
+    @answered("N")
     def static_rating(self) -> float:
-        """Lowest static load rating C0 of all makers, N."""
+        """Lowest basic static load rating C₀ of all makers; calculations by the bearing's name use
+        it.
+        """
         return min(each.static_rating for each in self.makers)
 
 

@@ -8,6 +8,7 @@ of these numbers is a standard.
 from dataclasses import dataclass
 from typing import Literal, get_args
 
+from core.fields import answer, answered
 from core.tolerance.iso286 import Limits
 
 ProcessName = Literal["fdm", "sla", "sls", "mjf", "laser_cut", "milled", "precise", "ground"]
@@ -16,18 +17,36 @@ Size = Limits | str | None
 """Limit deviations or ISO 286 class of a diameter; None if the process makes no such part."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Process:
     """Usual tolerances of a process."""
 
-    code: ProcessName  # name in requests and answers
-    title: str  # English title
+    code: ProcessName = answer()
+    """Name of the process in requests."""
+    title: str = answer()
+    """Designation of the process."""
     hole: Size  # size of hole diameters
     pin: Size  # size of pin diameters
-    position: float  # position tolerance of holes and pins, diameter of the zone, m
-    clearance: float  # usual radial clearance, m
-    clearances: tuple[float, float]  # range of the radial clearance in the sources, m
-    source: str  # source of the numbers
+    position: float = answer("mm")
+    """Diameter of the round tolerance zone of each centre."""
+    clearance: float = answer("mm")
+    """Radial clearance with which such parts usually run; for information, as no request uses
+    it."""
+    clearances: tuple[float, float]  # range in the sources, m
+    source: str = answer()
+    """Source of the numbers."""
+
+    @property
+    @answered("mm")
+    def least_clearance(self) -> float:
+        """Least radial clearance in the sources."""
+        return self.clearances[0]
+
+    @property
+    @answered("mm")
+    def largest_clearance(self) -> float:
+        """Largest radial clearance in the sources."""
+        return self.clearances[1]
 
     def size(self, of: Literal["hole", "pin"]) -> Size:
         """Limits or class of hole or pin diameters."""
@@ -42,8 +61,8 @@ PROCESSES = {
     each.code: each
     for each in (
         Process(
-            "fdm",
-            "Printed from filament",
+            code="fdm",
+            title="Printed from filament",
             hole=_mm(-0.40, 0.0),
             pin=_mm(0.0, 0.20),
             position=0.3e-3,
@@ -53,8 +72,8 @@ PROCESSES = {
             "Prints (±0.2 to ±0.4 mm by material); Forge Labs (moving parts 0.5 mm all round)",
         ),
         Process(
-            "sla",
-            "Printed from resin",
+            code="sla",
+            title="Printed from resin",
             hole=_mm(-0.10, 0.10),
             pin=_mm(-0.10, 0.10),
             position=0.2e-3,
@@ -64,8 +83,8 @@ PROCESSES = {
             "Additive3D Asia (±0.2 mm)",
         ),
         Process(
-            "sls",
-            "Sintered powder (SLS)",
+            code="sls",
+            title="Sintered powder (SLS)",
             hole=_mm(-0.30, 0.10),
             pin=_mm(-0.20, 0.20),
             position=0.3e-3,
@@ -75,8 +94,8 @@ PROCESSES = {
             "Materialise (0.5 to 0.6 mm)",
         ),
         Process(
-            "mjf",
-            "Fused powder (MJF)",
+            code="mjf",
+            title="Fused powder (MJF)",
             hole=_mm(-0.30, 0.30),
             pin=_mm(-0.30, 0.30),
             position=0.4e-3,
@@ -86,8 +105,8 @@ PROCESSES = {
             "Makelab (±0.3 mm)",
         ),
         Process(
-            "laser_cut",
-            "Cut by laser",
+            code="laser_cut",
+            title="Cut by laser",
             hole=_mm(-0.25, 0.25),
             pin=None,
             position=0.25e-3,
@@ -97,8 +116,8 @@ PROCESSES = {
             "3 mm ±0.2 mm, to 6 mm ±0.3 to ±0.4 mm); kerf and taper not compensated",
         ),
         Process(
-            "milled",
-            "Milled, holes reamed, drawn pins",
+            code="milled",
+            title="Milled, holes reamed, drawn pins",
             hole=_mm(-0.025, 0.025),
             pin="h6",
             position=0.1e-3,
@@ -108,8 +127,8 @@ PROCESSES = {
             "general); ISO 2768-f (±0.1 mm to 30 mm)",
         ),
         Process(
-            "precise",
-            "Milled precisely, ground pins",
+            code="precise",
+            title="Milled precisely, ground pins",
             hole="H7",
             pin="h6",
             position=0.03e-3,
@@ -119,8 +138,8 @@ PROCESSES = {
             "an estimate",
         ),
         Process(
-            "ground",
-            "Jig bored or ground",
+            code="ground",
+            title="Jig bored or ground",
             hole="H6",
             pin="h5",
             position=0.01e-3,
