@@ -20,11 +20,33 @@ def anyio_backend():
     return "asyncio"
 
 
+class Api(httpx.AsyncClient):
+    """Client of the API in the same process, below /api/v1/."""
+
+    def __init__(self):
+        super().__init__(transport=httpx.ASGITransport(app=APP), base_url="http://service/api/v1/")
+
+    async def answer(self, path, body, status=200):
+        """Answer to a body."""
+        response = await self.post(path, json=body)
+        assert response.status_code == status, response.text
+        return response.json()
+
+    async def judged(self, path, body):
+        """Answer to a body, and its checks by code."""
+        answer = await self.answer(path, body)
+        return answer, {each["code"]: each for each in answer.get("checks", ())}
+
+    async def refusal(self, path, body):
+        """Pointer and code of the only error of a body."""
+        (error,) = (await self.answer(path, body, 422))["errors"]
+        return error["pointer"], error["code"]
+
+
 @pytest.fixture
 async def api():
-    """Client of the API in the same process, below /api/v1/."""
-    transport = httpx.ASGITransport(app=APP)
-    async with httpx.AsyncClient(transport=transport, base_url="http://service/api/v1/") as client:
+    """Client of the API in the same process."""
+    async with Api() as client:
         yield client
 
 
@@ -32,9 +54,6 @@ class Gate:
     """Gate at which jobs in processes wait until a test lets them pass. Of its two files, which
     reach every process, one grows with each job that arrives, and the size of the other is the
     number of jobs that may pass.
-
-    Its two files reach every process: one grows with each that comes, the other is as large as the
-    number that may pass.
     """
 
     def __init__(self, folder):

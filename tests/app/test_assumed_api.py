@@ -17,28 +17,22 @@ PRINTED = {
 }
 
 
-async def answered(api, path, body):
-    response = await api.post(path, json=body)
-    assert response.status_code == 200, response.text
-    return response.json()
-
-
 async def test_two_satellites_are_assumed_and_the_force_of_one_is_said(api):
-    (found,) = (await answered(api, "contact-force", ONE_DISC))["assumed"]
+    (found,) = (await api.answer("contact-force", ONE_DISC))["assumed"]
     assert (found["pointer"], found["value"]) == ("/satellites", 2)
-    one = await answered(api, "contact-force", ONE_DISC | {"satellites": 1})
+    one = await api.answer("contact-force", ONE_DISC | {"satellites": 1})
     assert "assumed" not in one
     assert found["without"]["peak_force_N"] == one["peak_force_N"] == pytest.approx(600)
     # two pins of one satellite have a dead centre: there is no such force
     dead_alone = ONE_DISC | {"pins": 2, "crank_spacing_deg": 90}
-    (dead,) = (await answered(api, "contact-force", dead_alone))["assumed"]
+    (dead,) = (await api.answer("contact-force", dead_alone))["assumed"]
     assert "without" not in dead
 
 
 @pytest.mark.slow
 async def test_materials_that_were_left_out_are_said(api):
     async def said(body):
-        answer = await answered(api, "crank-planetary", body)
+        answer = await api.answer("crank-planetary", body)
         return {each["pointer"]: each["value"] for each in answer["assumed"]}, answer
 
     plain, _ = await said(PRINTED)
@@ -65,11 +59,11 @@ async def test_a_solution_says_what_its_calculation_assumes(api):
     target = {"pointer": "/peak_force_N", "at_most": 400}
     radius = {"pointer": "/pin_circle_radius_mm", "from": 10, "to": 50}
     body = {"calculation": "contact-force", "input": input, "target": target, "variable": radius}
-    answer = await answered(api, "solve", body)
+    answer = await api.answer("solve", body)
     assert answer["assumed"] == [{"pointer": "/input/satellites", "value": 2}]
     assert [each["code"] for each in answer["warnings"]] == ["ratio_sign"]
     number = {"pointer": "/satellites", "from": 1, "to": 4}
-    answer = await answered(api, "solve", body | {"variable": number})
+    answer = await api.answer("solve", body | {"variable": number})
     assert answer["value"] and "assumed" not in answer
 
 
@@ -86,11 +80,11 @@ async def test_a_solution_of_an_unknown_clearance_is_of_perfect_parts(api):
     body = {"calculation": "crank-planetary", "input": input}
     body["variable"] = {"pointer": "/contact/pin_radius_mm", "from": 8.6, "to": 20}
     body["target"] = {"pointer": "/hertz/max_pressure_MPa", "at_most": 400}
-    answer = await answered(api, "solve", body)
+    answer = await api.answer("solve", body)
     assumed = {each["pointer"]: each["value"] for each in answer["assumed"]}
     assert assumed["/input/contact/hole_clearance_mm"] == 0
     input["contact"]["fit"] = "H7/f7"
-    answer = await answered(api, "solve", body)
+    answer = await api.answer("solve", body)
     assert "/input/contact/hole_clearance_mm" not in {each["pointer"] for each in answer["assumed"]}
 
 
@@ -116,23 +110,23 @@ async def test_every_calculation_says_what_it_assumes(api, path):
     body = dict(ENDPOINTS[path])
     if path == "hertz":
         body.pop("eccentricity_mm")
-    pointers = [each["pointer"] for each in (await answered(api, path, body))["assumed"]]
+    pointers = [each["pointer"] for each in (await api.answer(path, body))["assumed"]]
     assert pointers
     if "mechanism" in body:
         less = {name: value for name, value in body["mechanism"].items() if name != "satellites"}
         if "pin" in body:
             body["pin"] = body["pin"] | {"satellite_positions_mm": [10, 30]}
         body["mechanism"] = less
-        more = [each["pointer"] for each in (await answered(api, path, body))["assumed"]]
+        more = [each["pointer"] for each in (await api.answer(path, body))["assumed"]]
         assert more == ["/mechanism/satellites", *pointers]
 
 
 async def test_a_negative_ratio_has_the_sign_of_the_output(api):
     body = ONE_DISC | {"satellites": 1}
-    signed = await answered(api, "contact-force", body | {"ratio": -30})
+    signed = await api.answer("contact-force", body | {"ratio": -30})
     (warning,) = signed.pop("warnings")
     assert (warning["code"], warning["params"]) == ("ratio_sign", {"ratio": 30})
-    plain = await answered(api, "contact-force", body)
+    plain = await api.answer("contact-force", body)
     for each in (signed, plain):
         del each["accuracy"]["run_time_us"]
     assert signed == plain
@@ -154,7 +148,7 @@ async def test_a_factor_that_takes_of_the_load_is_said(api, path, body, section,
         own = (body[section] if section else body) | {name: factor}
         asked = body | {section: own} if section else own
         asked = {key: value for key, value in asked.items() if value is not None}
-        warnings = (await answered(api, path, asked)).get("warnings", ())
+        warnings = (await api.answer(path, asked)).get("warnings", ())
         found = [each["params"] for each in warnings if each["code"] == "load_factor_below_one"]
         assert found == [{"factor": factor}] * said
 
@@ -179,7 +173,6 @@ async def test_a_cycloid_of_one_lobe_less_has_a_whole_ratio(api):
     for ratio, said in ((30, False), (30.5, True)):
         body = PRINTED | {"mechanism": PRINTED["mechanism"] | {"ratio": ratio}, "gear": gear}
         codes = [
-            each["code"]
-            for each in (await answered(api, "crank-planetary", body)).get("warnings", ())
+            each["code"] for each in (await api.answer("crank-planetary", body)).get("warnings", ())
         ]
         assert ("ratio_not_whole" in codes) == said

@@ -32,14 +32,8 @@ def body(material: Any = PLA, law: dict[str, Any] | None = None, **more: Any) ->
     return BASE | {"contact": contact} | given | more
 
 
-async def answered(api: Any, path: str, request: dict[str, Any]) -> Any:
-    response = await api.post(path, json=request)
-    assert response.status_code == 200, response.text
-    return response.json()
-
-
 async def forces(api: Any, **given: Any) -> Any:
-    answer = await answered(api, "load-sharing", body(**given))
+    answer = await api.answer("load-sharing", body(**given))
     return answer["positions"][0]["force_N"]
 
 
@@ -63,21 +57,14 @@ async def test_the_law_is_that_of_the_materials_where_none_is_named(
     assert absent == await forces(api, material=material, law={"kind": usual})
     assert absent != await forces(api, material=material, law={"kind": other})
     turned = body(material=BASE["contact"]["pin_material"], contact={"pin_material": material})
-    answer = await answered(api, "load-sharing", turned)
-    named = await answered(api, "load-sharing", turned | {"contact_law": {"kind": usual}})
+    answer = await api.answer("load-sharing", turned)
+    named = await api.answer("load-sharing", turned | {"contact_law": {"kind": usual}})
     assert answer["positions"][0]["force_N"] == named["positions"][0]["force_N"]
 
 
 async def test_a_reference_depth_alone_is_one_of_hertz(api: Any) -> None:
     depth = {"reference_depth_mm": 4}
     assert await forces(api, law=depth) == await forces(api, law=depth | {"kind": "hertz"})
-    refused = await api.post("load-sharing", json=body(law=depth | {"kind": "conformal"}))
-    (error,) = refused.json()["errors"]
-    assert refused.status_code == 422
-    assert (error["pointer"], error["code"]) == (
-        "/contact_law/reference_depth_mm",
-        "of_another_kind",
-    )
 
 
 @pytest.mark.parametrize("contact", [{}, WRAPS])
@@ -88,17 +75,16 @@ async def test_forces_and_pressures_are_those_of_the_whole_design(
     """Over the turn, at a position, of one piece without tolerances, and as it is judged."""
     given = body(contact=contact, law=law)
     asked = {"include": ["over_turn", "positions", "pressure"], "crank_angle_deg": [0.0]}
-    sharing = await answered(api, "load-sharing", given | asked)
+    sharing = await api.answer("load-sharing", given | asked)
     turn, (position,) = sharing["over_turn"], sharing["positions"]
-    whole = await answered(api, "crank-planetary", given | {"include": ["load_sharing", "hertz"]})
+    whole = await api.answer("crank-planetary", given | {"include": ["load_sharing", "hertz"]})
     assert whole["load_sharing"]["peak_force_N"] == pytest.approx(turn["peak_force_N"], rel=SAME)
     judged = whole["hertz"].get("conformal_pressure_MPa", whole["hertz"]["max_pressure_MPa"])
     assert turn["max_pressure_MPa"] == pytest.approx(judged, rel=EXACT)
     assert ("conformal_pressure_MPa" in whole["hertz"]) == (contact == WRAPS)
     pressures = [each for row in position["pressure_MPa"] for each in row]
     assert position["max_pressure_MPa"] == pytest.approx(max(pressures), rel=SAME)
-    study = await answered(
-        api,
+    study = await api.answer(
         "tolerance-study",
         given
         | {
@@ -120,9 +106,8 @@ async def test_a_wide_contact_of_metals_has_the_pressure_that_is_judged(api: Any
     metal = body(material="steel_bearing", contact=WRAPS, load=BASE["load"] | {
         "output_torque_Nm": 2000
     })  # fmt: skip
-    turn = (await answered(api, "load-sharing", metal | {"include": ["over_turn"]}))["over_turn"]
-    contact = await answered(
-        api,
+    turn = (await api.answer("load-sharing", metal | {"include": ["over_turn"]}))["over_turn"]
+    contact = await api.answer(
         "hertz",
         {
             "force_N": turn["peak_force_N"],
@@ -144,7 +129,7 @@ async def test_a_pressure_that_is_not_known_is_left_out_and_said(api: Any) -> No
         load={"output_torque_Nm": 3e5, "pin_circle_radius_mm": 500},
         include=["positions", "over_turn", "pressure"],
     )
-    answer = await answered(api, "load-sharing", soft)
+    answer = await api.answer("load-sharing", soft)
     for part in (answer["over_turn"], answer["positions"][0]):
         assert not {"max_pressure_MPa", "pressure_MPa"} & {*part}
     assert "contact_wraps" in {each["code"] for each in answer["warnings"]}

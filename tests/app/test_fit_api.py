@@ -334,14 +334,9 @@ async def test_accuracy_is_stated(api):
 @pytest.mark.parametrize(
     ("more", "pointer", "code"),
     [
-        ({"deviations": {"pin_radial_mm": [0.0] * 5}}, "/deviations/pin_radial_mm",
-         "different_length"),
-        ({"deviations": {"hole_radius_mm": [[0.0] * 6, [0.0] * 5]}},
-         "/deviations/hole_radius_mm/1", "different_length"),
         ({"mechanism": {"pins": 121, "ratio": 20}}, "/mechanism/pins", "too_many_pairs"),
         ({"mechanism": {"pins": 60, "ratio": 20}, "include": ["positions"],
           "crank_angle_deg": [0.0] * 1000}, "/mechanism/pins", "too_many_pairs"),
-        ({"load": {"pin_circle_radius_mm": 2}}, "/contact/eccentricity_mm", "smaller_than"),
     ],
 )  # fmt: skip
 async def test_refusals_name_field_and_limit(api, more, pointer, code):

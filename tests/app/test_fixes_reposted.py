@@ -12,15 +12,10 @@ from tests.oracles.seeds import TIMES
 
 pytestmark = pytest.mark.anyio
 
+PATH = "crank-planetary"
+
 DESIGNS = failing(3 * TIMES)  # one of each kind
 REPOSTED = [0, *range(2, len(DESIGNS))]  # 1 and another of its kind, each below
-
-
-async def answered(api: Any, body: dict[str, Any]) -> dict[str, Any]:
-    answer = await api.post("crank-planetary", json=body)
-    assert answer.status_code == 200, answer.text
-    found: dict[str, Any] = answer.json()
-    return found
 
 
 def applied(body: dict[str, Any], values: dict[str, Any]) -> dict[str, Any]:
@@ -39,17 +34,17 @@ def applied(body: dict[str, Any], values: dict[str, Any]) -> dict[str, Any]:
 async def test_a_fix_says_the_verdict_that_a_repost_gives(api: Any, index: int) -> None:
     body = DESIGNS[index]
     asked = {"include": ["checks", "fixes", "combined"], "fixes_for": "failed"}
-    answer = await answered(api, body | asked)
+    answer = await api.answer(PATH, body | asked)
     assert answer["verdict"] == "fail" and answer["fixes"]
     for fix in answer["fixes"]:
-        after = await answered(api, applied(body, fix["sets"]) | {"include": ["checks"]})
+        after = await api.answer(PATH, applied(body, fix["sets"]) | {"include": ["checks"]})
         check = next(each for each in after["checks"] if each["code"] == fix["code"])
         assert after["verdict"] == fix["verdict"], fix
         if fix["status"] == "solved":
             assert check["status"] == "pass", fix
     if "combined" in answer:
         found = answer["combined"]
-        after = await answered(api, applied(body, found["sets"]) | {"include": ["checks"]})
+        after = await api.answer(PATH, applied(body, found["sets"]) | {"include": ["checks"]})
         assert len(found["steps"]) > 1 and after["verdict"] == found["verdict"] != "fail"
 
 
@@ -64,12 +59,12 @@ async def test_several_inputs_cure_what_none_cures_alone(
     api: Any, index: int, variables: list[str]
 ) -> None:
     body = failing(8)[index]
-    answer = await answered(api, body | {"include": ["fixes", "combined"]})
+    answer = await api.answer(PATH, body | {"include": ["fixes", "combined"]})
     loads = {"/load/output_torque_Nm", "/load/input_speed_rpm"}
     alone = [each for each in answer["fixes"] if each["pointer"] not in loads]
     assert {each["verdict"] for each in alone} <= {"fail"}
     for fix in alone:
-        after = await answered(api, applied(body, fix["sets"]) | {"include": ["checks"]})
+        after = await api.answer(PATH, applied(body, fix["sets"]) | {"include": ["checks"]})
         check = next(each for each in after["checks"] if each["code"] == fix["code"])
         assert after["verdict"] == "fail"
         assert fix["status"] != "solved" or check["status"] == "pass"
@@ -79,7 +74,7 @@ async def test_several_inputs_cure_what_none_cures_alone(
     reached = body
     for step in found["steps"]:
         reached = applied(reached, step["sets"])
-        after = await answered(api, reached | {"include": ["checks"]})
+        after = await api.answer(PATH, reached | {"include": ["checks"]})
         assert after["verdict"] == step["verdict"]
     assert reached == applied(body, found["sets"])
     assert after["verdict"] == found["verdict"] != "fail"
@@ -95,7 +90,7 @@ async def test_a_fix_keeps_the_fit_or_chooses_another(api: Any) -> None:
     body["contact"]["fit"] = "H7/f7"
     body["requirements"]["max_backlash_arcmin"] = 1.0
     asked = {"include": ["checks", "fixes", "combined"], "fixes_for": "failed"}
-    answer = await answered(api, body | asked)
+    answer = await api.answer(PATH, body | asked)
     checks = {each["code"]: each for each in answer["checks"]}
     assert checks["backlash"]["status"] == "fail"
     assert {"contact_pressure_pin", "pin_static"} <= {fix["code"] for fix in answer["fixes"]}
@@ -103,7 +98,7 @@ async def test_a_fix_keeps_the_fit_or_chooses_another(api: Any) -> None:
     assert tighter["sets"] == {"/contact/fit": tighter["to"]} and tighter["from"] == "H7/f7"
     assert "change" not in tighter and "exact" not in tighter
     for fix in answer["fixes"]:
-        after = await answered(api, applied(body, fix["sets"]) | {"include": ["checks"]})
+        after = await api.answer(PATH, applied(body, fix["sets"]) | {"include": ["checks"]})
         there = {each["code"]: each for each in after["checks"]}
         assert after["verdict"] == fix["verdict"]
         assert fix["status"] != "solved" or there[fix["code"]]["status"] == "pass"
@@ -127,7 +122,9 @@ async def test_a_fix_chooses_the_weakest_material_that_bears_the_load(api: Any) 
         },
         "include": ["checks", "fixes"],
     }
-    (chosen,) = [fix for fix in (await answered(api, body))["fixes"] if isinstance(fix["to"], str)]
+    (chosen,) = [
+        fix for fix in (await api.answer(PATH, body))["fixes"] if isinstance(fix["to"], str)
+    ]
     assert chosen["code"] == "contact_pressure_hole" and chosen["from"] == "steel_structural"
     table = (await api.get("materials")).json()["materials"]
     limits = {
@@ -138,7 +135,7 @@ async def test_a_fix_chooses_the_weakest_material_that_bears_the_load(api: Any) 
     found = {}
     for name in limits:
         body["contact"]["hole_material"] = name
-        checks = (await answered(api, body))["checks"]
+        checks = (await api.answer(PATH, body))["checks"]
         found[name] = {each["code"]: each["status"] for each in checks}[chosen["code"]]
     bearing = [name for name, status in found.items() if status == "pass"]
     assert "fail" in found.values() and chosen["to"] == min(bearing, key=limits.__getitem__)
@@ -161,32 +158,32 @@ async def test_no_fix_makes_a_circle_of_pins_ten_times_as_wide(api: Any, times: 
         "include": ["checks"],
     }
     asked = body | {"include": ["largest_torque"]}
-    reserve = (await answered(api, asked))["torque_reserve"]
+    reserve = (await api.answer(PATH, asked))["torque_reserve"]
     body["load"]["output_torque_Nm"] *= reserve / 1.1 * times
-    fixes = (await answered(api, body | {"include": ["fixes"]}))["fixes"]
+    fixes = (await api.answer(PATH, body | {"include": ["fixes"]}))["fixes"]
     radii = [each["exact"] for each in fixes if each["pointer"] == "/load/pin_circle_radius_mm"]
     assert radii == ([] if times > 10 else [pytest.approx(50 * times, rel=1e-3)] * len(radii))
     assert (times > 10) == (not radii)
 
 
 async def test_where_one_input_is_enough_several_are_not_named(api: Any) -> None:
-    answer = await answered(api, failing(1)[0] | {"include": ["fixes", "combined"]})
+    answer = await api.answer(PATH, failing(1)[0] | {"include": ["fixes", "combined"]})
     assert any(each["verdict"] != "fail" for each in answer["fixes"])
     assert "combined" not in answer
-    assert "fixes" not in await answered(api, failing(1)[0] | {"include": ["combined"]})
+    assert "fixes" not in await api.answer(PATH, failing(1)[0] | {"include": ["combined"]})
 
 
 async def test_the_largest_torque_holds_where_it_is_reposted(api: Any) -> None:
     known = 0
     for body in DESIGNS:
-        answer = await answered(api, body | {"include": ["largest_torque"]})
+        answer = await api.answer(PATH, body | {"include": ["largest_torque"]})
         if "largest_torque_Nm" not in answer:
             continue
         known += 1
         found = answer["largest_torque_Nm"]
         for part, fails in ((1, False), (1.01, True)):
             there = applied(body, {"/load/output_torque_Nm": found * part})
-            after = await answered(api, there | {"include": ["checks"]})
+            after = await api.answer(PATH, there | {"include": ["checks"]})
             assert (after["counts"]["fail"] > 0) == fails
     assert known >= len(DESIGNS) // 2
 
@@ -245,12 +242,12 @@ async def test_what_cures_the_teeth_of_a_ring_does_so(api: Any, name: str) -> No
         body[section] = body.get(section, {}) | values
     body["requirements"]["scope"] = ["teeth"]
     asked = {"include": ["checks", "fixes"], "fixes_for": "failed"}
-    answer = await answered(api, body | asked)
+    answer = await api.answer(PATH, body | asked)
     assert answer["verdict"] == "fail"
     solved = [each for each in answer["fixes"] if each["status"] == "solved"]
     assert cures <= {each["pointer"] for each in solved}
     for fix in answer["fixes"]:
-        after = await answered(api, applied(body, fix["sets"]) | {"include": ["checks"]})
+        after = await api.answer(PATH, applied(body, fix["sets"]) | {"include": ["checks"]})
         check = next(each for each in after["checks"] if each["code"] == fix["code"])
         assert after["verdict"] == fix["verdict"], fix
         assert fix["status"] != "solved" or check["status"] == "pass", fix

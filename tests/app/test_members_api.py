@@ -30,12 +30,6 @@ def design(output="pins", ratio=20, torque=500.0, speed=1500.0, **load):
     }
 
 
-async def answered(api, path, body):
-    response = await api.post(path, json=body)
-    assert response.status_code == 200, response.text
-    return response.json()
-
-
 async def refused(api, path, body):
     response = await api.post(path, json=body)
     assert response.status_code == 422, response.text
@@ -75,8 +69,8 @@ ring, peak force, loss, efficiency: by velocities at the pitch point, statics, a
 @pytest.mark.parametrize("name", HELD)
 async def test_members_of_designs_that_are_known(api, name):
     body, expected = HELD[name]
-    answer = await answered(
-        api, PATH, body | {"include": ["members", "contact_force", "output_efficiency"]}
+    answer = await api.answer(
+        PATH, body | {"include": ["members", "contact_force", "output_efficiency"]}
     )
     members, losses = answer["members"], answer["output_efficiency"]
     found = [
@@ -96,13 +90,13 @@ async def test_members_of_designs_that_are_known(api, name):
 
 
 async def test_members_are_said_where_the_pins_are_not_the_output(api):
-    assert "members" not in await answered(api, PATH, design())
+    assert "members" not in await api.answer(PATH, design())
     for output in ("ring", "both"):
         body = design(output, **({"ring_speed_rpm": 3.0} if output == "both" else {}))
-        assert (await answered(api, PATH, body))["members"]["output"] == output
+        assert (await api.answer(PATH, body))["members"]["output"] == output
     body = design("ring")
     del body["load"]["input_speed_rpm"]
-    members = (await answered(api, PATH, body))["members"]
+    members = (await api.answer(PATH, body))["members"]
     assert members["output_ratio"] == 21 and "crank_power_W" not in members
 
 
@@ -138,9 +132,9 @@ async def test_one_design_run_with_pins_and_with_the_ring_as_output(api, section
     """Powers and speeds close; with the torque on the pins alike all inside is alike, but for the
     speed; play and stiffness are seen at the ring."""
     u, share = 20, 20 / 21
-    pins = await answered(api, PATH, of("pins") | {"include": sections})
+    pins = await api.answer(PATH, of("pins") | {"include": sections})
     load = {"output_torque_Nm": 500 / share, "input_speed_rpm": 1500 / share}
-    ring = await answered(api, PATH, of("ring", load=load) | {"include": sections})
+    ring = await api.answer(PATH, of("ring", load=load) | {"include": sections})
     for answer, output, speed in ((pins, -75.0, 1500.0), (ring, 75.0, 1575.0)):
         members = answer["members"]
         assert members["output_ratio"] == pytest.approx(speed / output, rel=SAME)
@@ -190,12 +184,12 @@ async def test_load_sharing_fit_and_study_see_the_output(api):
     include = ["positions", "over_turn", "curves", "stiffness_curve"]
     body = sections | {"load": load, "include": include, "samples": 5, "torques_Nm": [-100, 200.0]}
     share = 20 / 21
-    pins = await answered(api, "load-sharing", body)
+    pins = await api.answer("load-sharing", body)
     raised = {"output_torque_Nm": 500 / share}
     ring_mechanism = sections["mechanism"] | {"output": "ring"}
     ring_body = body | {"mechanism": ring_mechanism, "load": load | raised,
                         "torques_Nm": [-100 / share, 200 / share]}  # fmt: skip
-    ring = await answered(api, "load-sharing", ring_body)
+    ring = await api.answer("load-sharing", ring_body)
 
     def close(one, two, factor):
         flat = [(one, two)] if not isinstance(one, list) else [*zip(one, two, strict=True)]
@@ -220,7 +214,7 @@ async def test_load_sharing_fit_and_study_see_the_output(api):
 
     circle = {"load": {"pin_circle_radius_mm": 50}, "include": ["positions"]}
     one, two = [
-        await answered(api, "fit", sections | circle | {"mechanism": each})
+        await api.answer("fit", sections | circle | {"mechanism": each})
         for each in (sections["mechanism"], ring_mechanism)
     ]
     for name in ("least_room_arcmin", "greatest_room_arcmin"):
@@ -235,11 +229,11 @@ async def test_load_sharing_fit_and_study_see_the_output(api):
         "quantities": ["backlash_max_arcmin", "peak_force_N", "stiffness_min_Nm_per_arcmin"],
         "include": ["histogram"],
     }
-    one = await answered(api, "tolerance-study", sections | study | {"load": load})
+    one = await api.answer("tolerance-study", sections | study | {"load": load})
     middle = one["quantities"]["backlash_max_arcmin"]["percentiles"][0]["value"]
     at_ring = {"load": load | raised, "mechanism": ring_mechanism}
     study |= {"limits": {"backlash_max_arcmin": middle * share}}
-    two = await answered(api, "tolerance-study", sections | study | at_ring)
+    two = await api.answer("tolerance-study", sections | study | at_ring)
     for name, factor in (("backlash_max_arcmin", share), ("peak_force_N", 1.0),
                          ("stiffness_min_Nm_per_arcmin", share**-2)):  # fmt: skip
         first, second = (each["quantities"][name] for each in (one, two))
@@ -255,27 +249,27 @@ async def test_load_sharing_fit_and_study_see_the_output(api):
 async def test_torque_of_the_crank_makes_that_of_the_ring(api):
     flat = {"pins": 6, "satellites": 2, "ratio": 20, "pin_circle_radius_mm": 50}
     by_crank = flat | {"input_torque_Nm": 25, "efficiency": 0.9}
-    on_pins = await answered(api, "contact-force", by_crank)
-    ring = await answered(api, "contact-force", by_crank | {"output": "ring"})
+    on_pins = await api.answer("contact-force", by_crank)
+    ring = await api.answer("contact-force", by_crank | {"output": "ring"})
     assert ring["peak_force_N"] == pytest.approx(on_pins["peak_force_N"], rel=CONVERGED)
     whole = design("ring")
     whole["load"] = {"input_torque_Nm": 25, "efficiency": 0.9, "pin_circle_radius_mm": 50}
-    members = (await answered(api, PATH, whole))["members"]
+    members = (await api.answer(PATH, whole))["members"]
     assert members["pin_torque_Nm"] == pytest.approx(450.0, rel=CONVERGED)
     assert members["ring_torque_Nm"] == pytest.approx(-472.5, rel=CONVERGED)
 
 
 async def test_the_ratio_may_be_that_of_the_ring(api):
     body = design("ring")
-    by_u = await answered(api, PATH, body)
+    by_u = await api.answer(PATH, body)
     mechanism = {name: value for name, value in body["mechanism"].items() if name != "ratio"}
-    by_i = await answered(api, PATH, body | {"mechanism": mechanism | {"output_ratio": 21}})
+    by_i = await api.answer(PATH, body | {"mechanism": mechanism | {"output_ratio": 21}})
     for each in (by_u, by_i):
         del each["members"]["accuracy"]
     assert by_i["members"] == by_u["members"]
     assert by_i["contact_force"]["peak_force_N"] == by_u["contact_force"]["peak_force_N"]
     teeth = mechanism | {"satellite_teeth": 20, "ring_teeth": 21}
-    by_teeth = (await answered(api, PATH, body | {"mechanism": teeth}))["members"]
+    by_teeth = (await api.answer(PATH, body | {"mechanism": teeth}))["members"]
     assert by_teeth.pop("accuracy") and by_teeth == by_u["members"]
 
 
@@ -302,7 +296,7 @@ async def test_ratios_of_another_output_are_refused(api, mechanism, expected):
 
 
 async def test_a_sign_is_that_of_every_such_mechanism(api):
-    answer = await answered(api, PATH, {"mechanism": {"pins": 4, "satellites": 1, "ratio": -29}})
+    answer = await api.answer(PATH, {"mechanism": {"pins": 4, "satellites": 1, "ratio": -29}})
     assert [(each["code"], each["params"]) for each in answer["warnings"]] == [
         ("ratio_sign", {"ratio": 29})
     ]
@@ -319,7 +313,7 @@ async def test_speeds_of_both_are_asked_of_both_alone(api):
     del alone["load"]["input_speed_rpm"]
     assert (await refused(api, PATH, alone))[:2] == ("/load/input_speed_rpm", "needed_beside")
     by_pins = design("both", carrier_speed_rpm=-67.65)
-    members = (await answered(api, PATH, by_pins))["members"]
+    members = (await api.answer(PATH, by_pins))["members"]
     assert members["ring_speed_rpm"] == pytest.approx(7.0, abs=1e-9)
 
 
@@ -336,7 +330,7 @@ async def test_two_shafts_that_pins_couple(api):
     """The pins slide at e times the speed of the shafts, which turn alike; the loss by the mean sum
     of forces, 4/pi T/R for six even pins that share as cosines."""
     ideal = COUPLING | {"contact": COUPLING["contact"] | {"hole_clearance_mm": 0}}
-    answer = await answered(api, PATH, ideal)
+    answer = await api.answer(PATH, ideal)
     speed = 600 * math.pi / 30
     losses = answer["output_efficiency"]
     assert losses["sliding_speed_m_per_s"] == pytest.approx(1.5e-3 * speed, rel=SAME)
@@ -358,13 +352,13 @@ async def test_a_loose_coupling_is_solved_and_drives_with_what_it_is_driven(api)
     sections = {name: COUPLING[name] for name in ("mechanism", "contact")}
     load = {"output_torque_Nm": 20, "pin_circle_radius_mm": 30}
     body = sections | {"load": load, "include": ["over_turn", "curves"], "samples": 361}
-    answer = await answered(api, "load-sharing", body)
+    answer = await api.answer("load-sharing", body)
     driving = answer["curves"]["input_torque_Nm"][:-1]
     assert sum(driving) / len(driving) == pytest.approx(20, rel=1e-3)
     backlash = 2 * 0.01 / (30 * math.cos(math.pi / 6)) * 10800 / math.pi  # of first order
     assert answer["over_turn"]["backlash_max_arcmin"] == pytest.approx(backlash, rel=0.01)
-    await answered(api, PATH, COUPLING | {"include": ["checks", "load_sharing", "hertz"]})
-    answer = await answered(api, PATH, COUPLING | {"include": ["worked", "output_efficiency"]})
+    await api.answer(PATH, COUPLING | {"include": ["checks", "load_sharing", "hertz"]})
+    answer = await api.answer(PATH, COUPLING | {"include": ["worked", "output_efficiency"]})
     assert all("u" not in each["names"] for each in answer["worked"])
     for section, values in (
         ("gear", {"kind": "none"}),
@@ -383,9 +377,9 @@ async def test_a_seat_that_turns_with_the_crank_spares_the_bearing(api):
         {"kind": "ball", "dynamic_rating_N": 30000, "in": seat} for seat in ("ring", "carrier")
     ]
     body = of("ring", crankshaft={"bearings": balls})
-    bearings = (await answered(api, PATH, body))["crankshaft"]["bearings"]
+    bearings = (await api.answer(PATH, body))["crankshaft"]["bearings"]
     lives = [each["basic_life_h"] for each in bearings]
-    usual = (await answered(api, PATH, of("ring")))["crankshaft"]["bearings"]
+    usual = (await api.answer(PATH, of("ring")))["crankshaft"]["bearings"]
     still = [each["basic_life_h"] for each in usual]
     assert lives[0] == pytest.approx(still[0] * 21 / 20, rel=SAME)
     assert lives[1] == pytest.approx(still[1], rel=SAME)

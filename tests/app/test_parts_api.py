@@ -121,23 +121,6 @@ async def test_a_fit_is_a_clearance(api):
     assert "usual_fit" not in none
 
 
-@pytest.mark.parametrize(
-    ("change", "pointer", "code"),
-    [
-        ({"fit": "H7"}, "/contact/fit", "no_fit"),
-        ({"fit": "f7/H7"}, "/contact/fit", "no_fit"),
-        ({"hole_radius_mm": 24.75}, "/contact/hole_radius_mm", "only_one"),
-        ({"hole_clearance_mm": 0.0}, "/contact/hole_clearance_mm", "only_one"),
-        ({"pin_radius_mm": 300.0}, "/contact/fit", "no_class_of_size"),
-    ],
-)
-async def test_what_a_fit_excludes(api, change, pointer, code):
-    response = await api.post(PATH, json=winch(contact=FITTED | change))
-    assert response.status_code == 422
-    error = response.json()["errors"][0]
-    assert (error["pointer"], error["code"]) == (pointer, code)
-
-
 async def test_only_what_is_in_scope_is_judged(api):
     fitted = winch(contact=FITTED, include=["checks", "largest_torque"])
     alone, parts, checks = await asked(api, fitted | {"requirements": {"scope": ["contact"]}})

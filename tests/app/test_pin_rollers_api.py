@@ -39,19 +39,8 @@ def having(body: dict[str, Any], **sections: Any) -> dict[str, Any]:
     return {name: each for name, each in (body | changed).items() if each is not None}
 
 
-async def answered(api, body, path="crank-planetary", status=200):
-    response = await api.post(path, json=body)
-    assert response.status_code == status, response.text
-    return response.json()
-
-
-async def refused(api, body, path="crank-planetary"):
-    (error,) = (await answered(api, body, path, 422))["errors"]
-    return error["pointer"], error["code"]
-
-
 async def test_the_section_says_what_is_known_by_hand(api):
-    answer = await answered(api, SMALL | {"include": ["rollers", "checks"]})
+    answer = await api.answer("crank-planetary", SMALL | {"include": ["rollers", "checks"]})
     found = answer["rollers"]
     for name, value in {
         "speed_rpm": 73.84615384615384,
@@ -72,7 +61,7 @@ async def test_the_section_says_what_is_known_by_hand(api):
     }
     assert "tilt_mrad" not in found
     loose = having(SMALL, rollers={"radial_clearance_mm": 0.01}, include=["rollers"])
-    found = (await answered(api, loose))["rollers"]
+    found = (await api.answer("crank-planetary", loose))["rollers"]
     assert (found["forces"], found["added_clearance_mm"]) == ("real", 0.005)
     assert found["peak_load_N"] > 57
 
@@ -86,7 +75,7 @@ async def test_rollers_of_which_no_clearance_is_known_are_never_green(api):
     for clearance in (0.0, 0.04, None):
         loose = {} if clearance is None else {"radial_clearance_mm": clearance}
         own = having(body, rollers=loose)
-        answer = await answered(api, having(own, load={"output_torque_Nm": 15.0}))
+        answer = await api.answer("crank-planetary", having(own, load={"output_torque_Nm": 15.0}))
         verdicts[clearance] = answer["verdict"]
     assert verdicts == {0.0: "pass", 0.04: "fail", None: "incomplete"}
     (part,) = (each for each in answer["parts"] if each["code"] == "contact")
@@ -99,7 +88,7 @@ async def test_rollers_of_which_no_clearance_is_known_are_never_green(api):
 
 async def test_a_name_says_what_is_not_typed(api):
     named = having(SMALL, rollers=None) | {"rollers": {"name": "686ZZ"}}
-    answer = await answered(api, named | {"include": ["rollers"]})
+    answer = await api.answer("crank-planetary", named | {"include": ["rollers"]})
     told = {each["pointer"]: each["value"] for each in answer["assumed"]}
     assert {name: told[f"/rollers/{name}"] for name in ("kind", "dynamic_rating_N")} == {
         "kind": "ball",
@@ -108,7 +97,7 @@ async def test_a_name_says_what_is_not_typed(api):
     assert told["/rollers/outer_diameter_mm"] == 13 and told["/rollers/width_mm"] == 5
     assert answer["rollers"]["dynamic_rating_as_roller_N"] == pytest.approx(0.6 * 830)
     typed = {"name": "686", "dynamic_rating_N": 1000, "rolling_elements": 8}
-    answer = await answered(api, named | {"rollers": typed, "include": ["rollers"]})
+    answer = await api.answer("crank-planetary", named | {"rollers": typed, "include": ["rollers"]})
     assert answer["rollers"]["dynamic_rating_as_roller_N"] == pytest.approx(755.4, rel=1e-3)
     assert "/rollers/dynamic_rating_N" not in {each["pointer"] for each in answer["assumed"]}
 
@@ -116,11 +105,11 @@ async def test_a_name_says_what_is_not_typed(api):
 async def test_needles_roll_on_pins_if_they_have_an_outer_ring(api):
     body = having(SMALL, rollers=None, contact={"pin_radius_mm": 11})
     body["rollers"] = {"name": "NA4900"}
-    answer = await answered(api, body | {"include": ["rollers"]})
+    answer = await api.answer("crank-planetary", body | {"include": ["rollers"]})
     told = {each["pointer"]: each["value"] for each in answer["assumed"]}
     assert (told["/rollers/kind"], told["/rollers/outer_diameter_mm"]) == ("needle", 22)
     body["rollers"]["name"] = "HK1010"
-    assert await refused(api, body) == ("/rollers/ratings", "drawn_cup")
+    assert await api.refusal("crank-planetary", body) == ("/rollers/ratings", "drawn_cup")
 
 
 async def test_bearings_of_satellites_and_shaft_have_names_too(api):
@@ -134,13 +123,13 @@ async def test_bearings_of_satellites_and_shaft_have_names_too(api):
         },
         "include": ["satellite_bearing", "crankshaft"],
     }
-    answer = await answered(api, body)
+    answer = await api.answer("crank-planetary", body)
     told = {each["pointer"]: each["value"] for each in answer["assumed"]}
     assert told["/bearing/static_rating_N"] == 2900 and told["/bearing/bore_diameter_mm"] == 30
     assert told["/crankshaft/bearings/0/dynamic_rating_N"] == 1680
     assert not any(each.startswith("/crankshaft/bearings/1") for each in told)
     typed = body | {"bearing": {"kind": "ball", "dynamic_rating_N": 4490, "static_rating_N": 2900}}
-    same = await answered(api, typed)
+    same = await api.answer("crank-planetary", typed)
     assert same["satellite_bearing"]["satellites"] == answer["satellite_bearing"]["satellites"]
 
 
@@ -159,12 +148,15 @@ async def test_the_table_of_bearings(api):
 
 async def test_names_that_are_none_are_refused_with_those_that_are_like_them(api):
     body = having(SMALL, rollers=None) | {"rollers": {"name": "6884"}}
-    (error,) = (await answered(api, body, status=422))["errors"]
+    (error,) = (await api.answer("crank-planetary", body, status=422))["errors"]
     assert (error["pointer"], error["code"]) == ("/rollers/name", "no_such_bearing")
     assert "688" in error["detail"] and "may be given instead" in error["detail"]
     bearing = SMALL | {"bearing": {"name": "7208"}}
-    assert await refused(api, bearing) == ("/bearing/name", "no_such_bearing")
-    assert await refused(api, SMALL | {"bearing": {}}) == ("/bearing/kind", "needed")
+    assert await api.refusal("crank-planetary", bearing) == ("/bearing/name", "no_such_bearing")
+    assert await api.refusal("crank-planetary", SMALL | {"bearing": {}}) == (
+        "/bearing/kind",
+        "needed",
+    )
 
 
 async def test_what_contradicts_the_rollers_is_refused(api):
@@ -182,7 +174,7 @@ async def test_what_contradicts_the_rollers_is_refused(api):
         body = having(SMALL, **changes)
         if changes == {"rollers": None}:
             body["rollers"] = {"kind": "ball"}
-        assert await refused(api, body) == said
+        assert await api.refusal("crank-planetary", body) == said
     sleeves = having(
         SMALL,
         rollers={"friction_coefficient": 0.002},
@@ -190,16 +182,18 @@ async def test_what_contradicts_the_rollers_is_refused(api):
     )
     del sleeves["rollers"]["friction_coefficient"]
     sleeves["friction"] = {"coefficient": 0.1, "sleeve": True}
-    assert await refused(api, sleeves) == ("/friction/sleeve", "only_one")
+    assert await api.refusal("crank-planetary", sleeves) == ("/friction/sleeve", "only_one")
 
 
 async def test_rollers_alone_are_friction_enough(api):
-    losses = await answered(api, SMALL, "output-efficiency")
+    losses = await api.answer("output-efficiency", SMALL)
     assert losses["mean_loss_W"] == pytest.approx(0.007476923, rel=SEARCHED)
     bare = having(SMALL, rollers=None)
-    assert await refused(api, bare, "output-efficiency") == ("/friction", "missing")
+    assert await api.refusal("output-efficiency", bare) == ("/friction", "missing")
     asked = SMALL | {"requirements": {"min_efficiency": 0.9}, "include": ["checks"]}
-    answer = await answered(api, having(asked, rollers={"radial_clearance_mm": 0.0}))
+    answer = await api.answer(
+        "crank-planetary", having(asked, rollers={"radial_clearance_mm": 0.0})
+    )
     (part,) = (each for each in answer["parts"] if each["code"] == "losses")
     assert part["status"] == "pass"
 
@@ -225,7 +219,7 @@ HOLLOW: dict[str, Any] = {
 
 @pytest.mark.parametrize(("bore", "stress"), [(10.0, 361.93114879632), (14.0, 741.15812240237)])
 async def test_bored_pins_bend_as_tubes(api, bore, stress):
-    found = await answered(api, having(HOLLOW, pin={"bore_diameter_mm": bore}), "pin-strength")
+    found = await api.answer("pin-strength", having(HOLLOW, pin={"bore_diameter_mm": bore}))
     assert found["peak_bending_stress_MPa"] == pytest.approx(stress, rel=SEARCHED)
     assert found["peak_equivalent_stress_MPa"] == pytest.approx(stress, rel=SEARCHED)
 
@@ -249,13 +243,16 @@ async def test_hollow_standoffs_of_an_open_design(api):
         },
     }
     alone = having(body, pin={"contact_length_mm": 6.35}, contact=None)
-    found = await answered(api, alone, "pin-strength")
+    found = await api.answer("pin-strength", alone)
     assert found["peak_bending_stress_MPa"] == pytest.approx(56.7, abs=0.05)
-    checks = (await answered(api, body | {"include": ["checks"]}))["checks"]
+    checks = (await api.answer("crank-planetary", body | {"include": ["checks"]}))["checks"]
     (wall,) = (each for each in checks if each["code"] == "pin_wall")
     assert wall["status"] == "pass" and wall["limit"] == pytest.approx(230)
     wide = having(body, pin={"bore_diameter_mm": 4.8})
-    assert await refused(api, wide) == ("/pin/bore_diameter_mm", "less_than_equal")
+    assert await api.refusal("crank-planetary", wide) == (
+        "/pin/bore_diameter_mm",
+        "less_than_equal",
+    )
 
 
 async def test_forces_and_pieces_have_the_play_of_the_rollers(api):
@@ -270,11 +267,11 @@ async def test_forces_and_pieces_have_the_play_of_the_rollers(api):
     wider = having(loose, rollers=None, contact={"hole_clearance_mm": 0.025})
     asked = {"include": ["over_turn"]}
     found, same = [
-        (await answered(api, body | asked, "load-sharing"))["over_turn"] for body in (loose, wider)
+        (await api.answer("load-sharing", body | asked))["over_turn"] for body in (loose, wider)
     ]
     for name in ("peak_force_N", "backlash_max_arcmin", "lost_motion_arcmin"):
         assert found[name] == pytest.approx(same[name], rel=SEARCHED), name
-    whole = await answered(api, loose | {"include": ["load_sharing"]})
+    whole = await api.answer("crank-planetary", loose | {"include": ["load_sharing"]})
     assert whole["load_sharing"]["peak_force_N"] == pytest.approx(found["peak_force_N"], rel=EXACT)
     drawn = {
         "tolerances": {"eccentricity_mm": 0.005},
@@ -282,15 +279,14 @@ async def test_forces_and_pieces_have_the_play_of_the_rollers(api):
         "quantities": ["peak_force_N", "backlash_max_arcmin"],
     }
     study, other = [
-        (await answered(api, body | drawn, "tolerance-study"))["quantities"]
-        for body in (loose, wider)
+        (await api.answer("tolerance-study", body | drawn))["quantities"] for body in (loose, wider)
     ]
     for name, values in study.items():
         assert values["mean"] == pytest.approx(other[name]["mean"], rel=SEARCHED), name
     unlike = having(loose, contact={"pin_radius_mm": 6.0}, rollers={"outer_diameter_mm": 13.0})
-    assert await refused(api, unlike, "load-sharing") == ("/rollers/outer_diameter_mm", "only_one")
+    assert await api.refusal("load-sharing", unlike) == ("/rollers/outer_diameter_mm", "only_one")
     thick = having(
         loose,
         pin={"support": "cantilever", "diameter_mm": 8.0, "satellite_positions_mm": [4.0, 11.0]},
     )
-    assert await refused(api, thick | drawn, "tolerance-study") == ("/pin/diameter_mm", "only_one")
+    assert await api.refusal("tolerance-study", thick | drawn) == ("/pin/diameter_mm", "only_one")

@@ -8,6 +8,7 @@ import pytest
 from app.examples import EXAMPLES
 from core.checks.reserve import NEAR
 from core.precision import EXACT
+from tests.inputs.bodies import changed
 from tests.inputs.failing import failing
 from tests.oracles.seeds import seeds
 
@@ -38,22 +39,14 @@ BENT = {
 }
 
 
-def changed(**sections):
-    body = copy.deepcopy(BENT)
-    for name, fields in sections.items():
-        if fields is None:
-            del body[name]
-        else:
-            body[name] = body.get(name, {}) | fields
-    return body
-
-
 DESIGNS = {
-    "bent pins with clearance": changed(),
-    "bent pins without": changed(contact={"hole_radius_mm": 10.0, "hole_clearance_mm": 0.0}),
-    "clearance": changed(pin=None),
-    "ideal": changed(pin=None, contact={"hole_radius_mm": 10.0, "hole_clearance_mm": 0.0}),
-    "deviations": changed(pin=None, deviations={"pin_tangential_mm": [0.01, 0, 0, -0.01, 0, 0]}),
+    "bent pins with clearance": changed(BENT),
+    "bent pins without": changed(BENT, contact={"hole_radius_mm": 10.0, "hole_clearance_mm": 0.0}),
+    "clearance": changed(BENT, pin=None),
+    "ideal": changed(BENT, pin=None, contact={"hole_radius_mm": 10.0, "hole_clearance_mm": 0.0}),
+    "deviations": changed(
+        BENT, pin=None, deviations={"pin_tangential_mm": [0.01, 0, 0, -0.01, 0, 0]}
+    ),
 }
 
 
@@ -64,14 +57,8 @@ def times(body, factor):
     return body
 
 
-async def answered(api, body):
-    answer = await api.post("crank-planetary", json=body)
-    assert answer.status_code == 200, answer.text
-    return answer.json()
-
-
 async def checks_of(api, body):
-    answer = await answered(api, body | {"include": ["checks"]})
+    answer = await api.answer("crank-planetary", body | {"include": ["checks"]})
     return {each["code"]: each for each in answer["checks"]}
 
 
@@ -79,7 +66,7 @@ async def checks_of(api, body):
 async def test_at_its_reserve_a_check_is_at_its_limit(api, name):
     """Every check by ideal forces is; by solved forces the first to fail is, from below."""
     body = DESIGNS[name]
-    answer = await answered(api, body)
+    answer = await api.answer("crank-planetary", body)
     reserves = {
         each["code"]: each["torque_reserve"]
         for each in answer["checks"]
@@ -102,7 +89,9 @@ async def test_no_largest_torque_is_looked_for_that_nobody_asks(api, include, mo
     monkeypatch.setattr("core.checks.reserve._Torques.bracket", None)
     for body in DESIGNS.values():
         asked = {name: part for name, part in body.items() if name != "include"}
-        answer = await answered(api, asked | ({"include": include} if include else {}))
+        answer = await api.answer(
+            "crank-planetary", asked | ({"include": include} if include else {})
+        )
         assert not {"torque_reserve", "largest_torque_Nm", "largest_torque_of"} & {*answer}
 
 
@@ -113,7 +102,7 @@ async def test_a_reserve_lies_between_a_torque_that_holds_and_one_that_fails(api
     body = times(body, 10 ** random.Random(seed).uniform(-2, 0)) | {
         "include": ["checks", "largest_torque"]
     }
-    found = await answered(api, body)
+    found = await api.answer("crank-planetary", body)
     torque, reserve = found["largest_torque_Nm"], found["torque_reserve"]
     assert torque == pytest.approx(body["load"]["output_torque_Nm"] * reserve)
     held, failed = [
@@ -145,7 +134,7 @@ async def test_what_is_beyond_its_limit_has_a_reserve_below_1(api, name):
     ],
 )
 async def test_no_reserve_beside_what_cannot_exist(api, impossible):
-    body = changed(pin=None, **impossible)
+    body = changed(BENT, pin=None, **impossible)
     answer = (await api.post("crank-planetary", json=body)).json()
     assert answer["verdict"] == "fail"
     assert not {"torque_reserve", "largest_torque_Nm"} & {*answer}
@@ -154,7 +143,7 @@ async def test_no_reserve_beside_what_cannot_exist(api, impossible):
 
 
 async def test_a_cycloid_that_is_none_is_refused_with_the_number(api):
-    body = changed(pin=None, gear={"kind": "cycloid", "ring_pin_circle_radius_mm": 40})
+    body = changed(BENT, pin=None, gear={"kind": "cycloid", "ring_pin_circle_radius_mm": 40})
     body |= {"mechanism": {"pins": 4, "satellites": 1, "satellite_teeth": 19, "ring_teeth": 20}}
     (error,) = (await api.post("crank-planetary", json=body)).json()["errors"]
     assert error["code"] == "no_cycloid" and error["params"]["limit"] == pytest.approx(40)
@@ -191,12 +180,12 @@ async def test_ideal_forces_do_not_pass_what_a_tenth_more_torque_leaves_unknown(
         },
         satellite_body={"bore_radius_mm": 29},
     )
-    more = await answered(api, times(body, 1.1))
+    more = await api.answer("crank-planetary", times(body, 1.1))
     assert more["verdict"] == "incomplete"
     assert {each.get("reason", {}).get("code") for each in more["checks"]} >= {"disc_ovals"}
-    found = await answered(api, body)
+    found = await api.answer("crank-planetary", body)
     assert found["verdict"] == "marginal" and "torque_reserve" not in found  # none that fails
-    farther = await answered(api, body | {"satellite_body": {"bore_radius_mm": 20}})
+    farther = await api.answer("crank-planetary", body | {"satellite_body": {"bore_radius_mm": 20}})
     assert (farther["verdict"], farther["torque_reserve"] > 2) == ("pass", True)
 
 
@@ -207,14 +196,16 @@ async def test_lost_motion_fails_under_more_torque_as_pressures_do(api, limit, v
         load={"input_speed_rpm": 100},
         requirements={"max_lost_motion_arcmin": limit},
     )
-    found = await answered(api, body)
+    found = await api.answer("crank-planetary", body)
     assert (found["verdict"], found["governing"]) == (verdict, "lost_motion")
     (lost,) = (each for each in found["checks"] if each["code"] == "lost_motion")
     assert lost["torque_reserve"] == found["torque_reserve"] < 1.33
     at_limit = await checks_of(api, times(body, found["torque_reserve"]))
     assert 1 / 1.01 < at_limit["lost_motion"]["utilisation"] <= 1
-    assert (await answered(api, times(body, 1.01 * found["torque_reserve"])))["verdict"] == "fail"
-    easy = await answered(api, body | {"requirements": {"scope": ["contact"]}})
+    assert (await api.answer("crank-planetary", times(body, 1.01 * found["torque_reserve"])))[
+        "verdict"
+    ] == "fail"
+    easy = await api.answer("crank-planetary", body | {"requirements": {"scope": ["contact"]}})
     assert easy["torque_reserve"] > found["torque_reserve"]
 
 
@@ -266,7 +257,7 @@ OVERLOADED = {
 @pytest.mark.parametrize("factor", [1e3, 1e4, 1e6])
 async def test_what_fails_under_less_torque_fails(api, name, factor):
     """A failure on the way to the torque counts as far as it is known there."""
-    found = await answered(api, times(OVERLOADED[name], factor))
+    found = await api.answer("crank-planetary", times(OVERLOADED[name], factor))
     assert found["verdict"] == "fail"
     (contact,) = (part for part in found["parts"] if part["code"] == "contact")
     assert contact["status"] == "fail"
@@ -277,7 +268,7 @@ async def test_a_coupling_is_offered_no_second_satellite(api):
         load={"output_torque_Nm": 300},
         contact={"hole_clearance_mm": 0.02},
     ) | {"mechanism": {"pins": 8, "satellites": 1, "output": "coupling"}, "include": ["fixes"]}
-    found = await answered(api, body)
+    found = await api.answer("crank-planetary", body)
     offered = {each["pointer"] for each in found["fixes"]}
     assert "/mechanism/pins" in offered and "/mechanism/satellites" not in offered
 
@@ -294,11 +285,11 @@ async def test_losses_alone_are_looked_at_under_more_torque_too(api):
     ]
     assert more < now
     asked = body | {"requirements": {"scope": ["losses"], "min_efficiency": (now + more) / 2}}
-    found = await answered(api, asked)
+    found = await api.answer("crank-planetary", asked)
     assert (found["verdict"], found["governing"]) == ("marginal", "efficiency")
     assert 1 < found["torque_reserve"] < 1.1
-    assert (await answered(api, times(asked, 1.1)))["verdict"] == "fail"
-    sure = await answered(api, body)
+    assert (await api.answer("crank-planetary", times(asked, 1.1)))["verdict"] == "fail"
+    sure = await api.answer("crank-planetary", body)
     assert sure["verdict"] == "pass" and "torque_reserve" not in sure
 
 
@@ -307,7 +298,7 @@ async def test_of_two_limits_of_a_pressure_the_lower_one_governs(api, torque):
     """The disc's material has the lower limit, so that it fails first as the torque grows."""
     body = next(each["input"] for each in EXAMPLES if each["id"] == "cycloid")
     load = body["load"] | {"output_torque_Nm": torque}
-    answer = await answered(api, body | {"load": load, "include": ["checks"]})
+    answer = await api.answer("crank-planetary", body | {"load": load, "include": ["checks"]})
     by_code = {each["code"]: each for each in answer["checks"]}
     disc, pin = (by_code[f"ring_pressure_{body}"] for body in ("disc", "pin"))
     assert disc["utilisation"] > pin["utilisation"]

@@ -19,6 +19,7 @@ from core.checks.usual_modification import usual_modification
 from core.fixes.crank import LOOKS, aimed
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.sharing import mesh_position
+from tests.inputs.bodies import changed
 
 pytestmark = pytest.mark.anyio
 
@@ -37,20 +38,6 @@ DESIGN = {
     "include": ["checks"],
 }
 """The example of `/ring-mesh` with the pins of an output."""
-
-
-def changed(**sections):
-    """The design with other fields; None takes one away."""
-    body = deepcopy(DESIGN)
-    for section, fields in sections.items():
-        if not isinstance(fields, dict):
-            body[section] = fields
-            continue
-        inner = body.setdefault(section, {})
-        inner |= fields
-        for name in [name for name, value in inner.items() if value is None]:
-            del inner[name]
-    return body
 
 
 @pytest.mark.slow
@@ -165,69 +152,18 @@ def distance(points, polygon):
     return np.abs(away - along * sides).min(axis=1)
 
 
-@pytest.mark.parametrize(
-    ("sections", "pointer", "code"),
-    [
-        ({"gear": {"disc_material": "steel_structural"}}, "/gear/disc_material", "discs_disagree"),
-        ({"gear": {"span_mm": 40.0}}, "/gear/span_mm", "of_another_kind"),
-        ({"gear": {"pin_support": "fixed"}}, "/gear/span_mm", "needed_beside"),
-        (
-            {
-                "gear": {
-                    "pin_support": "fixed",
-                    "span_mm": 40.0,
-                    "satellite_positions_mm": [20.0],
-                }
-            },
-            "/gear/satellite_positions_mm",
-            "different_length",
-        ),
-        (
-            {
-                "gear": {
-                    "pin_support": "fixed",
-                    "span_mm": 40.0,
-                    "satellite_positions_mm": [20.0, 31.0],
-                }
-            },
-            "/gear/satellite_positions_mm/1",
-            "too_near",
-        ),
-        ({"gear": {"sleeve_bore_radius_mm": 5.0}}, "/gear/sleeve_bore_radius_mm", "smaller_than"),
-        (
-            {"deviations": {"ring_pin_radius_mm": [0.001] * 19}},
-            "/deviations/ring_pin_radius_mm",
-            "different_length",
-        ),
-        (
-            {
-                "gear": {"kind": "none", **dict.fromkeys(set(ALONE["gear"]) - {"kind"})},
-                "deviations": {"ring_pin_radial_mm": [0.001] * 20},
-            },
-            "/gear",
-            "needed_beside",
-        ),
-        ({"gear": {"kind": "none"}}, "/gear/ring_pin_circle_radius_mm", "of_another_kind"),
-    ],
-)
-async def test_what_does_not_fit_together_is_refused(api, sections, pointer, code):
-    response = await api.post(PATH, json=changed(**sections))
-    (error,) = response.json()["errors"]
-    assert (error["pointer"], error["code"]) == (pointer, code)
-
-
 async def test_pins_of_the_ring_leave_those_of_the_output_alone(api):
     """Deviations of ring pins alone say nothing about the parts of the output."""
     perfect = {"contact": {"hole_clearance_mm": 0.0}, "satellite_coupling": {"kind": "rigid"}}
     made = {"deviations": {"ring_pin_radial_mm": [0.001] * 20}}
     for sections, model in ((made, "ideal"), ({"deviations": {}}, "real")):
-        answer = (await api.post(PATH, json=changed(**perfect, **sections))).json()
+        answer = (await api.post(PATH, json=changed(DESIGN, **perfect, **sections))).json()
         assert answer["model"] == model
 
 
 async def test_the_discs_may_be_named_as_their_holes_are(api):
     named = {"gear": {"disc_material": "steel_through_hardened"}}
-    assert (await api.post(PATH, json=changed(**named))).status_code == 200
+    assert (await api.post(PATH, json=changed(DESIGN, **named))).status_code == 200
 
 
 RIGID = {"kind": "rigid"}
@@ -240,7 +176,7 @@ async def test_the_mesh_is_what_its_endpoint_answers(api):
     for deviations in (ALONE["deviations"], {"ring_pin_tangential_mm": off}):
         alone = {**ALONE, "deviations": deviations, "include": ["over_turn", "ideal"]}
         own = (await api.post("ring-mesh", json=alone)).json()
-        body = changed(include=["ring_mesh"], satellite_coupling=RIGID)
+        body = changed(DESIGN, include=["ring_mesh"], satellite_coupling=RIGID)
         body |= {"deviations": deviations}
         answer = (await api.post(PATH, json=body)).json()
         found = answer["ring_mesh"]
@@ -248,7 +184,7 @@ async def test_the_mesh_is_what_its_endpoint_answers(api):
         for name in ("geometry", "ideal", "over_turn", "efficiency"):
             assert found[name] == own[name], name
         assert found["accuracy"]["relative_error"] == own["accuracy"]["relative_error"]
-    usual = changed()
+    usual = changed(DESIGN)
     del usual["include"]
     answer = (await api.post(PATH, json=usual)).json()
     assert {"ring_mesh", "cyclogram", "load_sharing"} <= {*answer}
@@ -266,7 +202,9 @@ async def test_the_law_of_the_teeth_is_their_own(api):
     older = (await api.post("ring-mesh", json=alone | {"contact_law": law})).json()
     assert older["errors"][0]["code"] == "moved_to"
     assert older["errors"][0]["params"] == {"field": "gear.contact_law"}
-    body = changed(include=["ring_mesh"], gear={"contact_law": law}, satellite_coupling=RIGID)
+    body = changed(
+        DESIGN, include=["ring_mesh"], gear={"contact_law": law}, satellite_coupling=RIGID
+    )
     design = (await api.post(PATH, json=body)).json()["ring_mesh"]
     assert design["over_turn"] == own["over_turn"] != usual["over_turn"]
 
@@ -286,6 +224,7 @@ def test_discs_stand_on_the_pins_as_they_are_drawn(monkeypatch, deviations, dire
     """
     monkeypatch.setattr(design_mesh, "DRAWN_ERROR", 2e-8)
     body = changed(
+        DESIGN,
         mechanism=UNEVEN,
         load={"torque_direction": direction},
         deviations=deviations,
@@ -320,10 +259,10 @@ def test_discs_stand_on_the_pins_as_they_are_drawn(monkeypatch, deviations, dire
 async def test_what_cannot_be_drawn_is_left_out(api):
     """No outline of flanks that are turned, no more pairs than are drawn."""
     asked = {"include": ["ring_drawing", "ring_mesh"], "satellite_coupling": RIGID}
-    turned = changed(gear={"modification": {"rotation_arcmin": 1.0}}, **asked)
+    turned = changed(DESIGN, gear={"modification": {"rotation_arcmin": 1.0}}, **asked)
     drawn = (await api.post(PATH, json=turned)).json()["ring_drawing"]
     assert "lobe_mm" not in drawn and len(drawn["force_N"][0]) == 20
-    many = changed(mechanism={"satellites": 13}, **asked)
+    many = changed(DESIGN, mechanism={"satellites": 13}, **asked)
     answer = (await api.post(PATH, json=many)).json()
     assert "ring_drawing" not in answer and "ring_mesh" in answer
 
@@ -332,7 +271,9 @@ async def test_the_figure_is_of_the_peak(api):
     """Forces there over the pins, peak and lag over the turn, as `/ring-mesh` has them; the lag is
     that of the output.
     """
-    body = changed(include=["ring_mesh"], mechanism={"output": "ring"}, satellite_coupling=RIGID)
+    body = changed(
+        DESIGN, include=["ring_mesh"], mechanism={"output": "ring"}, satellite_coupling=RIGID
+    )
     turn = (await api.post(PATH, json=body)).json()["ring_mesh"]["over_turn"]
     figure = (await api.post(f"{PATH}/chart", json=body)).json()
     go.Figure(data=figure["data"], layout=figure["layout"])
@@ -359,15 +300,17 @@ async def test_the_figure_is_of_the_peak(api):
     assert (min(lag["y"]), max(lag["y"])) == pytest.approx(ends, rel=1e-3)
     assert ends[1] < 0.96 * max(there["rotation_arcmin"])
     assert set(of) == {"y", "y2", "y3", "y4"}
-    many = changed(mechanism={"satellites": 13}, include=["ring_mesh"])
+    many = changed(DESIGN, mechanism={"satellites": 13}, include=["ring_mesh"])
     (error,) = (await api.post(f"{PATH}/chart", json=many)).json()["errors"]
     assert (error["pointer"], error["code"]) == ("/mechanism/ring_teeth", "too_many_pairs")
 
 
 async def test_angles_are_those_of_the_output(api):
     """The ring turns by u/(u + 1) of what the pins would, and carries as much more."""
-    pins = changed(include=["ring_mesh"], satellite_coupling=RIGID)
-    ring = changed(include=["ring_mesh"], mechanism={"output": "ring"}, satellite_coupling=RIGID)
+    pins = changed(DESIGN, include=["ring_mesh"], satellite_coupling=RIGID)
+    ring = changed(
+        DESIGN, include=["ring_mesh"], mechanism={"output": "ring"}, satellite_coupling=RIGID
+    )
     ring["load"]["output_torque_Nm"] *= 20 / 19
     one, two = [(await api.post(PATH, json=body)).json()["ring_mesh"] for body in (pins, ring)]
     for name, part in (
@@ -412,6 +355,7 @@ async def test_both_meshes_are_in_series_where_both_are_known(api, off):
     """Numbers of `/load-sharing` at places of its own: over the turn, and of the cranks."""
     made = {} if off is None else {"deviations": {"ring_pin_radial_mm": off}}
     body = changed(
+        DESIGN,
         include=["load_sharing", "satellite_bearing", "ring_mesh"],
         bearing={"kind": "roller", "dynamic_rating_N": 30000.0},
         load={"input_speed_rpm": 1000.0},
@@ -469,7 +413,7 @@ async def test_the_ring_is_told_as_it_works_in_series(api, monkeypatch):
     """
     asked = {"max_ring_backlash_arcmin": 50.0, "max_transmission_error_arcmin": 50.0}
     sections = ["load_sharing", "ring_mesh", "ring_drawing", "checks"]
-    body = changed(include=sections, requirements=asked)
+    body = changed(DESIGN, include=sections, requirements=asked)
     monkeypatch.setattr(design_mesh, "DRAWN_ERROR", 2e-8)
     answer = solve(CrankPlanetaryRequest.model_validate(body))
     drawn, turn = answer["ring_drawing"], answer["ring_mesh"]["over_turn"]
@@ -562,7 +506,7 @@ async def test_discs_that_the_pins_let_turn_apart_do_not_press_in_their_ring(api
     room = {"contact": {"hole_clearance_mm": 0.05}, "requirements": {"max_ring_backlash_arcmin": 9}}
     found = {}
     for name, coupling in (("series", {"kind": "ring"}), ("rigid", RIGID)):
-        body = changed(satellite_coupling=coupling, **room, **apart)
+        body = changed(DESIGN, satellite_coupling=coupling, **room, **apart)
         answer = (await api.post(PATH, json=body)).json()
         checks = {each["code"]: each for each in answer["checks"]}
         found[name] = [checks[code] for code in ("ring_pressed", "ring_backlash")]
@@ -588,6 +532,7 @@ async def test_discs_that_the_pins_let_turn_apart_do_not_press_in_their_ring(api
 async def test_what_is_stated_or_not_known_leaves_them_apart(api, sections, solved):
     """Bearings then have the mean ratio of the ring's forces, or the ideal one."""
     body = changed(
+        DESIGN,
         include=["satellite_bearing", *["ring_mesh"] * solved],
         bearing={"kind": "roller", "dynamic_rating_N": 30000.0},
         load={"input_speed_rpm": 1000.0},
@@ -607,25 +552,6 @@ async def test_what_is_stated_or_not_known_leaves_them_apart(api, sections, solv
         assert found == pytest.approx(ideal, rel=EXACT)
 
 
-@pytest.mark.parametrize(
-    ("sections", "pointer", "code"),
-    [
-        ({"gear": None}, "/gear", "needed_beside"),
-        ({"gear": {"kind": "involute", "module_mm": 3.0}}, "/gear/kind", "outside_method"),
-    ],
-)
-async def test_a_ring_in_series_is_one_of_pins(api, sections, pointer, code):
-    body = changed(satellite_coupling={"kind": "ring"})
-    for name, value in sections.items():
-        if value is None:
-            del body[name]
-        else:
-            body[name] = value
-    body.pop("deviations", None)
-    (error,) = (await api.post(PATH, json=body)).json()["errors"]
-    assert (error["pointer"], error["code"]) == (pointer, code)
-
-
 async def test_what_is_not_known_of_the_teeth_is_said(api):
     alone = {"scope": ["teeth"]}
     for sections, code, reason in (
@@ -633,13 +559,13 @@ async def test_what_is_not_known_of_the_teeth_is_said(api):
         ({}, "ring_deviations_unknown", None),
         ({"deviations": {"ring_pin_radius_mm": [0.0] * 20}}, None, None),
     ):
-        answer = (await api.post(PATH, json=changed(requirements=alone, **sections))).json()
+        answer = (await api.post(PATH, json=changed(DESIGN, requirements=alone, **sections))).json()
         warned = {each["code"] for each in answer.get("warnings", ())}
         assert ("ring_deviations_unknown" in warned) == (code is not None)
         (teeth,) = (each for each in answer["parts"] if each["code"] == "teeth")
         assert teeth.get("reason") == reason
         assert (teeth["status"] == "open") == (reason is not None)
-    named = changed(include=["ring_mesh"], gear={"modification": None})
+    named = changed(DESIGN, include=["ring_mesh"], gear={"modification": None})
     (error,) = (await api.post(PATH, json=named)).json()["errors"]
     assert (error["pointer"], error["code"]) == ("/gear/modification", "needed_for")
 
@@ -647,7 +573,7 @@ async def test_what_is_not_known_of_the_teeth_is_said(api):
 async def test_teeth_are_cured_by_what_they_are_judged_by(api):
     """A fix, reposted, holds."""
     asked = {"requirements": {"scope": ["teeth"]}, "include": ["checks", "fixes"]}
-    body = changed(**asked, satellite_coupling=RIGID)
+    body = changed(DESIGN, **asked, satellite_coupling=RIGID)
     body["load"]["output_torque_Nm"] = 150.0
     answer = (await api.post(PATH, json=body)).json()
     body["gear"] = {**body["gear"], "contact_length_mm": 12.0}
@@ -661,7 +587,7 @@ async def test_teeth_are_cured_by_what_they_are_judged_by(api):
 async def test_a_usual_ring_is_answered_where_it_is_asked(api):
     """In the units of the answer; of the ring as output with its angles; not where all is known."""
     include = ["usual_modification", "largest_torque"]
-    body = changed(include=include, requirements={"scope": ["teeth"]})
+    body = changed(DESIGN, include=include, requirements={"scope": ["teeth"]})
     body["gear"].pop("modification")
     body["gear"] |= {"ring_class": "machined"}
     body["load"]["output_torque_Nm"] = 10.0

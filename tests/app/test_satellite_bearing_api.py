@@ -11,16 +11,13 @@ from core.precision import SAME, SEARCHED
 pytestmark = pytest.mark.anyio
 
 PATH = "satellite-bearing"
+BASE = REQUESTS[PATH]
 REFERENCE = {"kind": "involute", "module_mm": 1.75, "teeth_difference": 2}
 """The design of the oracle: its teeth do not exist, its force does."""
 
 
-def changed(**sections):
-    return deepcopy(REQUESTS[PATH]) | sections
-
-
 async def test_the_reference_design(api):
-    answer = (await api.post(PATH, json=changed(gear=REFERENCE))).json()
+    answer = (await api.post(PATH, json=BASE | {"gear": REFERENCE})).json()
     assert round(answer["operating_pressure_angle_deg"], 8) == 34.6912426
     assert answer["relative_speed_rpm"] == 1575
     first, second = answer["satellites"]
@@ -34,7 +31,7 @@ async def test_the_reference_design(api):
 
 
 async def test_only_what_is_known_is_answered(api):
-    body = changed(gear={"kind": "none"}, bearing={"kind": "ball"})
+    body = BASE | {"gear": {"kind": "none"}, "bearing": {"kind": "ball"}}
     answer = (await api.post(PATH, json=body)).json()
     assert [each["code"] for each in answer["warnings"]] == ["no_ring_force"]
     assert not {"basic_life_h", "life_h", "static_safety_factor"} & {*answer["satellites"][0]}
@@ -43,10 +40,10 @@ async def test_only_what_is_known_is_answered(api):
 
 async def test_a_ring_of_pins_relieves_the_bearings(api):
     ring = {"kind": "cycloid", "ring_pin_circle_radius_mm": 84.0}
-    answer = (await api.post(PATH, json=changed(gear=ring))).json()
+    answer = (await api.post(PATH, json=BASE | {"gear": ring})).json()
     assert round(answer["radial_force_ratio"], 7) == -0.2241421
     assert 7340 < answer["satellites"][0]["equivalent_load_N"] < 8000
-    given = changed(gear={"radial_force_ratio": answer["radial_force_ratio"]})
+    given = BASE | {"gear": {"radial_force_ratio": answer["radial_force_ratio"]}}
     again = (await api.post(PATH, json=given)).json()
     assert again["satellites"][0]["peak_load_N"] == answer["satellites"][0]["peak_load_N"]
 
@@ -59,7 +56,7 @@ async def test_the_difference_is_that_of_the_teeth(api):
     """cos(alpha_w) = m*(z3 - z2)*cos(alpha)/(2*e)."""
     cosine = 1.9 * 2 * math.cos(math.radians(20)) / (2 * 2)
     for gear in (INVOLUTE, INVOLUTE | {"teeth_difference": 2}):
-        answer = (await api.post(PATH, json=changed(mechanism=TEETH, gear=gear))).json()
+        answer = (await api.post(PATH, json=BASE | {"mechanism": TEETH, "gear": gear})).json()
         angle = math.radians(answer["operating_pressure_angle_deg"])
         assert math.cos(angle) == pytest.approx(cosine, rel=SAME)
 
@@ -68,19 +65,8 @@ async def test_pins_with_another_difference_than_one_are_warned_of(api):
     ring = {"kind": "cycloid", "ring_pin_circle_radius_mm": 84.0}
     for teeth, codes in ((TEETH, ["cycloid_difference"]), (TEETH | {"ring_teeth": 41}, [])):
         ring["ring_pin_circle_radius_mm"] *= 2
-        answer = (await api.post(PATH, json=changed(mechanism=teeth, gear=ring))).json()
+        answer = (await api.post(PATH, json=BASE | {"mechanism": teeth, "gear": ring})).json()
         assert [each["code"] for each in answer.get("warnings", ())] == codes
-
-
-async def test_other_teeth_than_those_of_the_mechanism_are_refused(api):
-    wrong = INVOLUTE | {"teeth_difference": 1}
-    refused = await api.post(PATH, json=changed(mechanism=TEETH, gear=wrong))
-    (error,) = refused.json()["errors"]
-    assert (error["pointer"], error["code"]) == ("/gear/teeth_difference", "teeth_disagree")
-    assert error["params"] == {"expected": 2}
-    fewer = changed(mechanism=TEETH | {"ring_teeth": 40}, gear=wrong)
-    (error,) = (await api.post(PATH, json=fewer)).json()["errors"]
-    assert (error["pointer"], error["code"]) == ("/mechanism/ring_teeth", "larger_than")
 
 
 async def test_loads_do_not_ask_how_thick_the_pins_of_the_ring_are(api):
@@ -88,53 +74,14 @@ async def test_loads_do_not_ask_how_thick_the_pins_of_the_ring_are(api):
     ring = {"kind": "cycloid", "ring_pin_circle_radius_mm": 84.0}
     thick = ring | {"ring_pin_radius_mm": 80.0}
     plain, pinned = [
-        (await api.post(PATH, json=changed(mechanism=TEETH, gear=gear))).json()
+        (await api.post(PATH, json=BASE | {"mechanism": TEETH, "gear": gear})).json()
         for gear in (ring, thick)
     ]
     assert pinned["satellites"] == plain["satellites"]
 
 
-@pytest.mark.parametrize(
-    ("sections", "pointer", "code"),
-    [
-        (
-            {"gear": {"kind": "involute", "module_mm": 3.5}},
-            "/gear/teeth_difference",
-            "needed_beside",
-        ),
-        ({"gear": {"kind": "none", "module_mm": 3.5}}, "/gear/module_mm", "of_another_kind"),
-        (
-            {"gear": {"kind": "none", "ring_pin_radius_mm": 5}},
-            "/gear/ring_pin_radius_mm",
-            "of_another_kind",
-        ),
-        (
-            {"gear": {"kind": "involute", "module_mm": 5, "teeth_difference": 1}},
-            "/contact/eccentricity_mm",
-            "no_mesh",
-        ),
-        (
-            {"gear": {"kind": "cycloid", "ring_pin_circle_radius_mm": 42}},
-            "/gear/ring_pin_circle_radius_mm",
-            "no_cycloid",
-        ),
-        (
-            {"bearing": {"kind": "ball", "reliability_percent": 92}},
-            "/bearing/reliability_percent",
-            "not_in_table",
-        ),
-    ],
-)
-async def test_what_cannot_be_is_refused(api, sections, pointer, code):
-    refused = await api.post(PATH, json=changed(**sections))
-    assert refused.status_code == 422
-    assert [(each["pointer"], each["code"]) for each in refused.json()["errors"]] == [
-        (pointer, code)
-    ]
-
-
 async def test_the_figure_shows_every_satellite(api):
-    figure = (await api.post(f"{PATH}/chart", json=REQUESTS[PATH])).json()
+    figure = (await api.post(f"{PATH}/chart", json=BASE)).json()
     assert [each["name"] for each in figure["data"]] == [
         *["Satellite 1"] * 2,
         *["Satellite 2"] * 2,

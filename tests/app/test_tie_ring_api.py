@@ -92,26 +92,6 @@ async def test_the_whole_design_judges_both_ends(api):
     assert "bolt_opens" not in checks
 
 
-@pytest.mark.parametrize(
-    ("path", "change", "pointer", "code"),
-    [
-        ("load-sharing", {"pin": PIN | {"span_mm": 36.0}}, "/pin/satellite_positions_mm/1",
-         "smaller_than"),
-        ("load-sharing", {"mechanism": MECHANISM | {"pins": 51}}, "/mechanism/pins",
-         "too_many_pairs"),
-        ("load-sharing", {"pin": {k: v for k, v in PIN.items() if k != "span_mm"}}, "/pin/span_mm",
-         "needed_beside"),
-        ("load-sharing", {"pin": {"satellite_positions_mm": [15, 37], "ring_joint": "clamped"}},
-         "/pin/ring_joint", "of_another_kind"),
-    ],
-)  # fmt: skip
-async def test_what_a_ring_cannot_be(api, path, change, pointer, code):
-    answer = await api.post(path, json=SHARED | change)
-    assert answer.status_code == 422
-    (error,) = answer.json()["errors"]
-    assert (error["pointer"], error["code"]) == (pointer, code)
-
-
 async def test_tolerances_of_pins_that_a_ring_joins(api):
     """Pieces without deviations are the design: their peak is that of the turn's positions."""
     body = {name: each for name, each in SHARED.items() if name != "crank_angle_deg"}

@@ -67,11 +67,14 @@ class Fuzz:
         self.app = create_app(Settings(max_seconds=60.0))
         self.report = Report()
         self.schemas: dict[tuple[str, int], Any] = {}
+        parts = {"components": DESCRIPTION["components"]}  # once for all: each copy takes megabytes
+        registry = jsonschema_rs.Registry([("urn:api", parts)])
         for path, operations in DESCRIPTION["paths"].items():
             for status, answer in operations.get("post", {}).get("responses", {}).items():
                 schema = next(iter(answer["content"].values()))["schema"]
+                whole = json.loads(json.dumps(schema).replace('"#/', '"urn:api#/'))
                 self.schemas[path.removeprefix(API), int(status)] = jsonschema_rs.validator_for(
-                    schema | {"components": DESCRIPTION["components"]}
+                    whole, registry=registry
                 )
 
     async def send(self, request: Request) -> tuple[int, dict[bytes, bytes], bytes]:
