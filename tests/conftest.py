@@ -1,6 +1,8 @@
 """Settings of all tests: a busy machine is no reason to fail; slow tests can be left out."""
 
+import ctypes
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -63,6 +65,14 @@ def compiled_loops() -> None:
     from core.drive import compiled
 
     compiled.load()
+
+
+@pytest.fixture(scope="module", autouse=True)
+def freed() -> Iterator[None]:
+    """Memory that the tests of a module have left is the system's again: a worker grows less."""
+    yield
+    with suppress(AttributeError):  # of another library of C
+        ctypes.CDLL(None).malloc_trim(0)
 
 
 @pytest.fixture(scope="session")

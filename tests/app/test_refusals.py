@@ -1,4 +1,4 @@
-"""What requests are refused for: the field by its pointer, and a code."""
+"""Refusals of requests: the field by its pointer, and a code."""
 
 import pytest
 

@@ -245,18 +245,6 @@ async def test_the_figure_shows_the_answer(api, theme):
     assert (error["pointer"], error["code"]) == ("/mechanism/ring_teeth", "too_many_pairs")
 
 
-async def test_in_a_batch_it_answers_the_same(api):
-    alone = (await api.post(PATH, json=BASE)).json()
-    lines = {
-        "calculation": PATH,
-        "requests": [BASE, changed(BASE, gear={"kind": "involute"}), ROUND],
-    }
-    answer = (await api.post("batch", json=lines)).json()
-    assert answer["results"][0]["result"]["positions"] == alone["positions"]
-    assert answer["results"][1]["problem"]["errors"][0]["pointer"].startswith("/gear/")
-    assert answer["results"][2]["result"]["geometry"]["contact_ratio"] > 1
-
-
 async def test_sections_that_a_ring_alone_does_not_use_are_listed(api):
     plain = (await api.post(PATH, json=BASE)).json()
     pin = {"satellite_positions_mm": [10.0, 30.0], "diameter_mm": 8.0, "material": "steel_bearing"}

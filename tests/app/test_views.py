@@ -9,7 +9,6 @@ import pytest
 from app.calculations.document import DocumentFields
 from app.examples import EXAMPLES, REQUESTS
 from app.registry import CALCULATIONS
-from core.precision import EXACT
 
 pytestmark = pytest.mark.anyio
 
@@ -28,14 +27,6 @@ TOLERANCES = {"pin_position_mm": 0.01}
 def document(body):
     """Sections of a request, without what is asked."""
     return {name: each for name, each in deepcopy(body).items() if name in SECTIONS}
-
-
-WHOLE = next(
-    each["input"]
-    for each in EXAMPLES
-    if each["calculation"] == "crank-planetary" and {"gear", "bearing"} <= each["input"].keys()
-)
-"""Example with a ring, bearings and pins that bend."""
 
 
 def test_all_calculations_of_a_drive_are_views():
@@ -71,27 +62,6 @@ async def test_what_one_takes_all_take(api, view):
         (error,) = answer.json()["errors"]
         assert error["code"] == "missing", answer.text
     assert taken > 1
-
-
-@pytest.mark.parametrize(
-    "section", ["pin_strength", "output_efficiency", "satellite_bearing", "crankshaft"]
-)
-async def test_a_view_has_the_numbers_of_the_whole(api, section):
-    body = document(WHOLE)
-    whole = (await api.post("crank-planetary", json=body | {"include": [section]})).json()[section]
-    more = {"include": ["deflection"]} if section == "pin_strength" else {}
-    alone = (await api.post(section.replace("_", "-"), json=body | more)).json()
-    for name, value in whole.items():
-        if name not in ("accuracy", "warnings"):
-            assert alone[name] == value, name
-
-
-async def test_forces_over_the_turn_are_those_of_the_whole(api):
-    body = document(WHOLE)
-    whole = (await api.post("crank-planetary", json=body | {"include": ["load_sharing"]})).json()
-    alone = (await api.post("load-sharing", json=body | {"include": ["over_turn"]})).json()
-    own = whole["load_sharing"]["peak_force_N"]
-    assert alone["over_turn"]["peak_force_N"] == pytest.approx(own, rel=EXACT)
 
 
 async def test_what_a_view_needs_is_described_and_refused(api):

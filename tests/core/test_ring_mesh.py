@@ -503,7 +503,7 @@ def test_play_and_interference_of_rough_parts(seed: int) -> None:
         assert found == pytest.approx(expected, abs=1e-9 * (expected[1] - expected[0]))
 
 
-@pytest.mark.parametrize("angle", [0.0, 1e-6, 1e-4, -3e-3, 0.02])
+@pytest.mark.parametrize("angle", [0.0, 1e-4, -3e-3])
 @pytest.mark.parametrize("pin", [0, 6])
 def test_the_only_pin_that_is_near_limits_the_play(angle: float, pin: int) -> None:
     """In a valley, where it has no lever before the disc turns, and on a lobe."""

@@ -3,20 +3,14 @@ vectors: pins that several discs bend at once, bearings on cranks, meshes with t
 """
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from core.output.elasticity import (
-    RIGID_PINS,
-    CrankSupport,
-    ElasticMesh,
     LinearLaw,
     PinSupport,
-    SatelliteSupport,
 )
-from core.output.loaded_position import loaded_position
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import Support
 from core.output.real_mechanism import RealMechanism
@@ -131,45 +125,3 @@ def test_case_s13_of_three_discs_with_all_deviations_is_balanced() -> None:
         parts = stiff @ (bends[n, :, 0] + 1j * bends[n, :, 1])
         assert parts == pytest.approx(np.array(on_pin), rel=0, abs=EXACT * top)
     assert abs(moment) == pytest.approx(torque, rel=EXACT)
-
-
-def held_energy(real: RealMechanism, x: np.ndarray) -> float:
-    """Stored energy of rigid pins on discs with elastic bearings or meshes, by the lag and by the
-    shift of each disc along its crank or its rotation.
-    """
-    own, lag, support = real.mechanism, x[0], real.support
-    stiff = support.bearing or support.mesh
-    total = stiff * (x[1:] @ x[1:]) / 2 - TORQUE * lag
-    psi = own.wave_angle(ANGLE)
-    for j, phase in enumerate(own.crank_angles):
-        crank = 1j * np.exp(-1j * (psi + phase))
-        shift, back = (x[1 + j], 0.0) if support.bearing else (0.0, x[1 + j])
-        for n in range(own.pins):
-            out = 1j * np.exp(2j * math.pi * n / own.pins)
-            pin = out * (real.pin_circle_radius + 1j * real.deviations.pin_tangential[n])
-            hole = out * (real.pin_circle_radius + real.deviations.hole_radial[j][n])
-            turned = real.deviations.disc_phase[j] - back
-            hole = (real.eccentricity + shift) * crank + hole * np.exp(1j * turned)
-            room = real.eccentricity + real.clearance + support.loose
-            approach = abs(pin * np.exp(-1j * lag) - hole) - room
-            total += real.law.stiffness / 2 * max(approach, 0.0) ** 2
-    return float(total)
-
-
-@pytest.mark.parametrize("seed", seeds(6))
-@pytest.mark.parametrize("support", [CrankSupport(2e8, 8e-6), ElasticMesh(3e4)])
-def test_satellites_that_give_rest_where_energy_is_least(
-    seed: int, support: SatelliteSupport
-) -> None:
-    """Each displacement both ways."""
-    real = replace(drawn(seed), pin=RIGID_PINS, support=support)
-    room = real.solved([real.wave(ANGLE)], TORQUE)
-    rest, top = room.lags[0], room.forces.max()
-    length = np.full(len(rest), 1.0 if support.bearing else real.pin_circle_radius)
-    length[0] = real.pin_circle_radius
-    for way in np.diag(1e-9 / length):
-        slope = (held_energy(real, rest + way) - held_energy(real, rest - way)) / 2e-9
-        assert abs(slope) < 1e-6 * top
-    assert room.stiffness[0] > 0
-    found = loaded_position(real=real, crank_angle=ANGLE, output_torque=TORQUE)
-    assert sum(found.satellite_torque) == pytest.approx(TORQUE, rel=EXACT)
