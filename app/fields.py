@@ -5,7 +5,6 @@ conversion to SI units follow.
 
 import math
 from collections.abc import Callable, Collection, Iterator, Mapping
-from contextlib import suppress
 from dataclasses import MISSING, fields, is_dataclass
 from functools import cache, cached_property, reduce
 from itertools import chain
@@ -109,9 +108,9 @@ class SectionFields(RequestModel):
     @cached_property
     def stated(self) -> dict[str, Any]:
         """Stated values in SI units, by their names in core."""
-        named = core_names(type(self))
-        own, typed = self.to_core(), self.model_fields_set
-        return {core: own[core] for name, core in named.items() if name in typed and core in own}
+        named, own = core_names(type(self)), self.to_core()
+        typed = [named[name] for name in self.model_fields_set]
+        return {core: own[core] for core in typed if core in own}
 
     @property
     def kind_of_core(self) -> Any:
@@ -138,13 +137,13 @@ class SectionFields(RequestModel):
 
 def as_core_takes_it(request: Request, make: Callable[[], Any]) -> Request:
     """Request from which core makes something; what core refuses of it is the error of a field."""
-    with suppress(NotKnown, ImpossibleMechanism):
-        try:
-            make()
-        except InvalidInput as error:
-            path = request.path_of(error.parameter)
-            if not path and isinstance(request, SectionFields):
-                return request  # the document names it
+    try:
+        make()
+    except (NotKnown, ImpossibleMechanism):
+        pass  # answered where the section is used
+    except InvalidInput as error:
+        path = request.path_of(error.parameter)
+        if path or not isinstance(request, SectionFields):  # else the document names it
             params = refusal_params(error.code, error.params, path)
             raise field_error("/".join(map(str, path)), error.code, **params) from error
     return request

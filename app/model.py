@@ -353,6 +353,7 @@ def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
     return plan
 
 
+@cache
 def core_names(model: type[RequestModel]) -> dict[str, str]:
     """Names in core of the fields of a request."""
     return {name: each.core for name, each in _core_plan(model).items()}

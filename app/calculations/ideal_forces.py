@@ -179,6 +179,8 @@ class TorqueFields(
 ):
     """Torque, lever and load sharing of the pins."""
 
+    WITHIN: ClassVar[bool] = True
+
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
         (("output_torque_Nm",), ("input_torque_Nm", "efficiency"), ()),
     )

@@ -76,11 +76,11 @@ def material(stated: str | ElasticMaterial) -> ElasticMaterial:
 
 def filled(*, kind: Any, stated: Values) -> dict[str, Any]:
     """Values that are taken for those that are not stated: of a bearing's name, and materials."""
-    usual: dict[str, Any] = {**USUAL_MATERIALS.get(kind, {})}
-    if kind is InvoluteRing and not stated.keys() >= PROFILE_SHIFTS:
-        usual = {}
+    usual: dict[str, Any] = {}
     if stated.get("name"):
-        usual |= _catalogued(kind, stated["name"])
+        usual = _catalogued(kind, stated["name"])
+    if kind is not InvoluteRing or stated.keys() >= PROFILE_SHIFTS:
+        usual |= USUAL_MATERIALS.get(kind, {})
     return {name: each for name, each in usual.items() if stated.get(name) is None}
 
 
@@ -106,14 +106,19 @@ def _names(kind: Any) -> frozenset[str]:
 
 def section(*, kind: Any, stated: Values) -> Any:
     """Section of a kind from what is stated of it; values that it does not have are left out."""
-    own = {**stated} | filled(kind=kind, stated=stated)
-    own |= {name: material(each) for name, each in own.items() if name.endswith("material")}
+    own = {**stated, **filled(kind=kind, stated=stated)}
+    names, made = _names(kind), kind
     if kind is Contact:
-        names, made = _names(kind) | {"hole_clearance", "fit"}, Contact.sized
-    else:
-        names, made = _names(kind), kind
-        own |= FOLLOWING[kind](own) if kind in FOLLOWING else {}
-    return made(**{name: each for name, each in own.items() if name in names})
+        names, made = names | {"hole_clearance", "fit"}, Contact.sized
+    elif kind in FOLLOWING:
+        own |= FOLLOWING[kind](own)
+    return made(
+        **{
+            name: material(each) if name.endswith("material") else each
+            for name, each in own.items()
+            if name in names
+        }
+    )
 
 
 def _mechanism(own: Values) -> dict[str, Any]:
@@ -168,7 +173,7 @@ def teeth_difference(mechanism: Values) -> int | None:
 
 def _bolt(own: Values) -> dict[str, Any]:
     """Material of a bolt, and its preload by the tightening torque."""
-    found = in_bending(own["bolt_material"])
+    found = in_bending(material(own["bolt_material"]))
     if torque := own.get("tightening_torque"):
         core = own["core_diameter"]
         found["preload"] = bolt_preload(tightening_torque=torque, core_diameter=core)
@@ -177,7 +182,7 @@ def _bolt(own: Values) -> dict[str, Any]:
 
 def _ring_pins(own: Values) -> dict[str, Any]:
     """Strength of ring pins."""
-    held = in_bending(own["pin_material"])
+    held = in_bending(material(own["pin_material"]))
     return {"pin_material": held.pop("material")} | {f"pin_{name}": held[name] for name in held}
 
 
