@@ -141,7 +141,7 @@ def fit_figure(rooms: Rooms, theme: Theme) -> Figure:
     """Room over a turn of the wave, in all and of each satellite, with jammed stretches shaded."""
     mechanism, room = rooms.mechanism, rooms.room
     end = mechanism.crank_angle_per_wave
-    blocked = rooms.blocked() if room.state == "binds_in_turning" else ()
+    blocked = rooms.blocked_crank or ()
     edges = np.array([each % end for ends in blocked for each in ends])
     least = [*room.where.values()]
     angle = np.unique(np.concatenate((np.linspace(0.0, end, DRAWN_ANGLES), edges, least)))

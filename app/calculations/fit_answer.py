@@ -49,6 +49,11 @@ class ElasticOut(ResponseModel):
 class WholeFitOut(FitOut):
     """Fit of pins in their holes, and the consequence of a misfit."""
 
+    BESIDE = (
+        *("largest_hole_radius_mm", "greatest_room_mm", "least_room_arcmin"),
+        *("greatest_room_arcmin", "blocked_share", "misfit", "discs", "elastic"),
+    )
+
     largest_hole_radius_mm: Maybe[float] = result(
         "Hole radius below which the holes bound their pins, if they do not.",
         equation="min(R, √(r_in² + R²·sin²(π/N)))",

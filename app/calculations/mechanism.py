@@ -17,7 +17,6 @@ from app.model import (
     Values,
     Whole,
     quantity,
-    result,
 )
 from app.rules import Forms, Kinds, Rule, field_error
 from app.settings import Settings
@@ -254,55 +253,14 @@ class BindingOut(PairOut, of=Binding):
     """Pair that limits the room."""
 
 
-class FitOut(ResponseModel):
+class FitOut(ResponseModel, of=Rooms):
     """Fit of pins in their holes by geometry, before any force."""
 
-    state: Literal["fits", "binds_in_turning", "does_not_fit", "no_bound"] = result(
-        "State of the fit: room at all crank angles (fits), at some (binds_in_turning), at none"
-        " (does_not_fit), or holes that do not bound their pins (no_bound)."
-    )
-    least_room_mm: Maybe[float] = result(
-        "Least room over the turn: amount by which all pins might grow in radius until the "
-        "parts just fit, negative if they have to shrink; absent if holes do not bound their "
-        "pins.",
-        equation="max over θ of min(C − |P·exp(−iθ) − H|)",
-    )
-    least_room_crank_angle_deg: Maybe[float] = result(
-        "First crank angle with the least room; absent if the room is the same at all crank angles."
-    )
-    binding: Maybe[list[BindingOut]] = result(
-        "Pairs that limit the room at that crank angle; absent if all pairs limit it alike."
-    )
-    needed_hole_radius_mm: Maybe[float] = result(
-        "Radius of all holes with which the parts would just fit, if they do not fit."
-    )
-    blocked_crank_deg: Maybe[list[list[float]]] = result(
-        "Ranges of crank angle in which the parts jam, if they go together in others."
-    )
-    renumbered: Maybe[list[int]] = result(
-        "Number of holes by which each satellite is put on the pins further, if any is."
-    )
+    blocked_crank_deg: Maybe[list[list[float]]]
 
     @classmethod
     def values(cls, result: Rooms, run_time_us: float | None = None, **given: Any) -> Values:
         """Values of a fit."""
-        room, holes = result.room, result.numbered[1]
-        found: dict[str, Any] = {"state": result.state}
-        if any(holes):
-            found["renumbered"] = [*holes]
-        if result.state == "no_bound":
-            return found
-        found["least_room_mm"] = from_si("least_room_mm", room.least)
-        if room.crank_angle is not None:
-            found["least_room_crank_angle_deg"] = from_si("angle_deg", room.crank_angle)
-        if room.binding:
-            found["binding"] = [
-                {"satellite": each.satellite, "pin": each.pin, "side": each.side}
-                for each in room.binding
-            ]
-        if room.state != "fits":
-            found["needed_hole_radius_mm"] = from_si("radius_mm", result.needed_hole_radius)
-        if room.state == "binds_in_turning":
-            blocked = [[*ends] for ends in result.blocked()]
-            found["blocked_crank_deg"] = from_si("angle_deg", blocked)
-        return found
+        if result.state in ("fits", "no_bound"):
+            given["needed_hole_radius_mm"] = None
+        return super().values(result, run_time_us, **given)

@@ -18,7 +18,7 @@ import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, IntArray, check_finite
 from core.errors import ImpossibleMechanism, InvalidInput
-from core.fields import answer, quantity
+from core.fields import answer, answered, quantity
 from core.numerics.extremes import zoom
 from core.output.mechanism import MAX_SATELLITES, Mechanism
 from core.precision import AS_TYPED, ROUNDING
@@ -599,14 +599,57 @@ class Rooms:
             )
 
     @property
+    @answered()
     def state(self) -> State:
-        """Room at all crank angles, at some, at none, or no bound, as holes do not hold pins."""
+        """State of the fit: room at all crank angles (fits), at some (binds_in_turning), at none
+        (does_not_fit), or holes that do not bound their pins (no_bound).
+        """
         return "no_bound" if self.hole_radius >= self.largest_hole_radius else self.room.state
 
     @property
+    def _bound(self) -> TurnRoom | None:
+        """Room over the turn; None if holes do not bound their pins."""
+        return None if self.state == "no_bound" else self.room
+
+    @property
+    @answered("mm", "", "max over θ of min(C − |P·exp(−iθ) − H|)")
+    def least_room(self) -> float | None:
+        """Least room over the turn: amount by which all pins might grow in radius until the parts
+        just fit, negative if they have to shrink; absent if holes do not bound their pins.
+        """
+        return self._bound.least if self._bound else None
+
+    @property
+    @answered("deg")
+    def least_room_crank_angle(self) -> float | None:
+        """First crank angle with the least room; absent if the room is the same at all crank
+        angles.
+        """
+        return self._bound.crank_angle if self._bound else None
+
+    @property
+    @answered()
+    def binding(self) -> tuple[Binding, ...] | None:
+        """Pairs that limit the room at that crank angle; absent if all pairs limit it alike."""
+        return (self._bound and self._bound.binding) or None
+
+    @property
+    @answered("mm", optional=True)
     def needed_hole_radius(self) -> float:
-        """Radius of all holes, m, that would just fit: exact, as room grows with the radius."""
+        """Radius of all holes with which the parts would just fit, if they do not fit."""
         return self.hole_radius - self.room.least
+
+    @property
+    @answered("deg")
+    def blocked_crank(self) -> tuple[tuple[float, float], ...] | None:
+        """Ranges of crank angle in which the parts jam, if they go together in others."""
+        return self.blocked() if self.state == "binds_in_turning" else None
+
+    @property
+    @answered()
+    def renumbered(self) -> tuple[int, ...] | None:
+        """Number of holes by which each satellite is put on the pins further, if any is."""
+        return self.numbered[1] if any(self.numbered[1]) else None
 
     def _turn_room(
         self,
