@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
 from hypothesis import strategies as st
 from mpmath import mpf
 
@@ -25,62 +24,6 @@ GEAR: dict[str, Any] = {
 }
 POSITIONS = st.floats(1e-3, math.pi - 1e-3)
 PLACES = st.floats(-0.1, 0.1)
-EXTENTS = st.floats(1e-6, 0.1)
-
-
-@given(phi_1=POSITIONS, z=PLACES, extent=EXTENTS)
-def test_mirror_symmetry(phi_1: float, z: float, extent: float) -> None:
-    """phi1 -> pi - phi1 with z -> -z leaves the line as it is; so does phi1 -> -phi1 alone."""
-    straight, mirrored, turned = (
-        contact_lines(**GEAR, rollers=[roller])
-        for roller in (
-            RollerByLength(phi_1, z, z + extent),
-            RollerByLength(math.pi - phi_1, -z - extent, -z),
-            RollerByLength(-phi_1, z, z + extent),
-        )
-    )
-    tolerance = straight.accuracy.relative_error + mirrored.accuracy.relative_error
-    assert mirrored.total_length == pytest.approx(straight.total_length, rel=tolerance)
-    assert turned.total_length == pytest.approx(straight.total_length, rel=tolerance)
-
-
-@given(phi_1=POSITIONS, z=PLACES, extent=EXTENTS, size=st.floats(1e-3, 1e3))
-def test_scaling(phi_1: float, z: float, extent: float, size: float) -> None:
-    base = contact_lines(**GEAR, rollers=[RollerByLength(phi_1, z, z + extent)])
-    scaled = contact_lines(
-        **GEAR | {"roller_circle_radius": size * 0.05, "roller_radius": size * 0.004},
-        rollers=[RollerByLength(phi_1, size * z, size * (z + extent))],
-    )
-    tolerance = 2 * (base.accuracy.relative_error + scaled.accuracy.relative_error)
-    assert scaled.total_length == pytest.approx(size * base.total_length, rel=tolerance)
-
-
-@given(phi_1=POSITIONS, z=PLACES, extent=EXTENTS, part=st.floats(0.1, 0.9))
-def test_lengths_add_up_and_exceed_the_straight_line(
-    phi_1: float, z: float, extent: float, part: float
-) -> None:
-    middle = z + part * extent
-    whole = contact_lines(**GEAR, rollers=[RollerByLength(phi_1, z, z + extent)])
-    halves = contact_lines(
-        **GEAR,
-        rollers=[RollerByLength(phi_1, z, middle), RollerByLength(phi_1, middle, z + extent)],
-    )
-    tolerance = whole.accuracy.relative_error + halves.accuracy.relative_error
-    assert halves.total_length == pytest.approx(whole.total_length, rel=tolerance)
-    (line,) = whole.lines
-    straight = math.hypot(line.z_max - line.z_min, 0.004 * (line.phi_max - line.phi_min))
-    assert line.length >= straight * (1 - 1e-9)
-
-
-@given(phi_1=st.floats(-3.1, 3.1).filter(lambda p: abs(p) > 1e-2), z=PLACES, extent=EXTENTS)
-def test_limits_in_phi_and_in_z_are_the_same_line(phi_1: float, z: float, extent: float) -> None:
-    by_z = contact_lines(**GEAR, rollers=[RollerByLength(phi_1, z, z + extent)])
-    (line,) = by_z.lines
-    by_phi = contact_lines(**GEAR, rollers=[RollerByAngle(phi_1, line.phi_min, line.phi_max)])
-    tolerance = by_z.accuracy.relative_error + 4 * by_phi.accuracy.relative_error
-    assert by_phi.total_length == pytest.approx(by_z.total_length, rel=tolerance)
-    assert by_phi.lines[0].z_min == pytest.approx(line.z_min, abs=1e-10)
-    assert by_phi.lines[0].flank == line.flank == 0
 
 
 @pytest.mark.parametrize("half_turns", [-2, -1, 0, 1, 3])

@@ -68,47 +68,6 @@ def test_moment_about_the_axis_is_the_torque(
     assert largest <= load.max_line_load * (1 + 1e-12)
 
 
-@given(rollers=ROLLERS, size=st.floats(1e-2, 1e2), factor=st.floats(1e-3, 1e3))
-def test_scaling(rollers: list[RollerByLength], size: float, factor: float) -> None:
-    base = meshing_load(**GEAR, rollers=rollers, torque=10.0, reference_z=0.02)
-    scaled = meshing_load(
-        **GEAR | {"roller_circle_radius": size * 0.05, "roller_radius": size * 0.004},
-        rollers=[RollerByLength(r.position_angle, size * r.z_min, size * r.z_max) for r in rollers],
-        torque=factor * 10.0,
-        reference_z=size * 0.02,
-    )
-    force = math.hypot(*base.force)
-    moment = math.hypot(*base.moment)
-    for one, other in zip(base.force, scaled.force, strict=True):
-        assert other * size / factor == pytest.approx(one, rel=SAME, abs=1e-11 * force)
-    for one, other in zip(base.moment, scaled.moment, strict=True):
-        assert other / factor == pytest.approx(one, rel=SAME, abs=1e-11 * moment)
-    assert scaled.max_line_load * size**2 / factor == pytest.approx(base.max_line_load, rel=SAME)
-
-
-@given(rollers=ROLLERS, torque=TORQUES)
-def test_torque_reversal_turns_force_and_moment_round(
-    rollers: list[RollerByLength], torque: float
-) -> None:
-    one, other = (
-        meshing_load(**GEAR, rollers=rollers, torque=t, reference_z=0.02) for t in (torque, -torque)
-    )
-    assert other.force[:2] == tuple(-component for component in one.force[:2])
-    assert other.moment == tuple(-component for component in one.moment)
-    assert {line.arm_sign for line in one.lines} == {int(math.copysign(1, torque))}
-
-
-@given(rollers=ROLLERS, turn=st.floats(-0.04, 0.04))
-def test_the_moment_moves_with_its_point(rollers: list[RollerByLength], turn: float) -> None:
-    """M_C' = M_C + (C - C') x F."""
-    one, other = (
-        meshing_load(**GEAR, rollers=rollers, torque=10.0, reference_z=z) for z in (0.0, turn)
-    )
-    size = 1e-11 * (math.hypot(*one.moment) + math.hypot(*one.force))
-    assert other.moment[0] == pytest.approx(one.moment[0] + turn * one.force[1], abs=size)
-    assert other.moment[1] == pytest.approx(one.moment[1] - turn * one.force[0], abs=size)
-
-
 def test_the_flank_does_not_change_the_force() -> None:
     by_z = meshing_load(**GEAR, rollers=[ROLLER], torque=10.0, reference_z=0.02)
     (line,) = by_z.lines

@@ -109,24 +109,6 @@ def test_psi_is_continuous_where_one_roller_remains(rollers: int) -> None:
     assert above.loaded_rollers == 1
 
 
-@given(st.floats(1e-3, 1e3), st.floats(1e-3, 1e3))
-def test_scaling(size: float, load: float) -> None:
-    base = strength(**DESIGN)
-    scaled = strength(
-        **DESIGN
-        | {name: size * DESIGN[name] for name in LENGTHS}
-        | {
-            "output_torque": load * size * DESIGN["output_torque"],
-            "position_tolerance": load / size * DESIGN["position_tolerance"],
-        }
-    )
-    assert scaled.load_nonuniformity == pytest.approx(base.load_nonuniformity, rel=SAME)
-    assert scaled.max_force == pytest.approx(load * base.max_force, rel=SAME)
-    assert scaled.stiffness == pytest.approx(size * base.stiffness, rel=SAME)
-    assert scaled.displacement == pytest.approx(load / size * base.displacement, rel=SAME)
-    assert scaled.bending_stress == pytest.approx(load / size**2 * base.bending_stress, rel=SAME)
-
-
 @pytest.mark.parametrize("sharing", [{}, {"position_tolerance": 0.0}, {"gaps": [0, 3e-6, 0, 1e-5]}])
 def test_curves_go_through_the_design(sharing: dict[str, Any]) -> None:
     design = (without("position_tolerance") if "gaps" in sharing else DESIGN) | sharing
