@@ -36,7 +36,6 @@ OF_REQUESTS = {
     "always_exact": "is no longer asked: forces are solved in exact geometry alone; leave it out",
     "bool_type": "must be true or false",
     "dict_type": "must be an object",
-    "discs_disagree": "must be {field}, or left out: holes and teeth are of the same discs",
     "dust": "must be 0 or at least {limit:g} in size",
     "elastomer": "must be stiffer: elastomers stretch by their own length at a few MPa, and their "
     "contact is not calculated",
@@ -49,35 +48,21 @@ OF_REQUESTS = {
     "missing": "is needed",
     "multiple_of": "must be a multiple of {limit:.15g}",
     "moved_to": "is given as {field} now",
-    "needed_beside": "is needed beside {field}",
     "needed_for": "is needed for {section}",
     "needed_to_draw": "is needed: what is not known is not drawn",
     "no_methods": "has one method only, within {relative_error:.0e}: there is nothing to compare",
-    "no_such_bearing": "is none of the bearings by name, such as {near}; sizes and load ratings "
-    "may be given instead of it",
     "no_such_part": "is none of the parts that are drawn: {parts}",
     "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
     "not_this_cycloid": "must be {expected}, one more than the satellite has: discs of other "
     "cycloids, and those of which lobes are left out, are not calculated",
-    "not_this_mechanism": "must be another: where several crankshafts drive the output, as in an "
-    "RV reducer, there are no pins in holes, and this calculation says nothing of it",
     "not_there": "names no number in {field}",
     "not_valid": "is not valid",
-    "of_another_kind": "does not belong to the kind {kind}",
-    "of_other_output": "does not belong to the output {output}",
-    "one_of_coupling": "must be {limit}: a coupling has one disc",
-    "ratio_below_one": "must be at least {limit}: the crank turns faster than the output, its "
-    "inverse is {offered:.9g}; two shafts that pins couple are the output coupling",
     "other_ratio": "is not that of {field} and {other}, which give {given:.6g}: leave it out",
-    "ratio_of_teeth": "must be at most {limit}, twice {field}: with more the ratio is below 1",
     "service_limit": "must be at most {limit}: this service takes no more",
-    "sign_of_ring": "must not be negative: the ring turns with the crank; {offered:.9g} is that of "
-    "crank and pins",
     "several_materials": "says too little: several materials are called so, which differ by much; "
     "name one ({candidates}), or give values",
     "string_type": "must be a text",
     "string_unicode": "is not valid text",
-    "teeth_disagree": "must be {expected}, ring teeth less satellite teeth, or left out",
     "to_be_drawn": "must be at most {limit:.3g} to be drawn",
     "too_long": "must have at most {limit} entries",
     "too_nested": "must hold at most {limit} lists and objects",

@@ -63,6 +63,21 @@ INVALID = {
     "the hole",
     "with_real_forces": "must be at most 1 with clearance, deviations or elasticity: forces are "
     "solved then, not assumed",
+    "discs_disagree": "must be {field}, or left out: holes and teeth are of the same discs",
+    "needed_beside": "is needed beside {field}",
+    "no_such_bearing": "is none of the bearings by name, such as {near}; sizes and load ratings "
+    "may be given instead of it",
+    "not_this_mechanism": "must be another: where several crankshafts drive the output, as in an "
+    "RV reducer, there are no pins in holes, and this calculation says nothing of it",
+    "of_another_kind": "does not belong to the kind {kind}",
+    "of_other_output": "does not belong to the output {output}",
+    "one_of_coupling": "must be {limit}: a coupling has one disc",
+    "ratio_below_one": "must be at least {limit}: the crank turns faster than the output, its "
+    "inverse is {offered:.9g}; two shafts that pins couple are the output coupling",
+    "ratio_of_teeth": "must be at most {limit}, twice {field}: with more the ratio is below 1",
+    "sign_of_ring": "must not be negative: the ring turns with the crank; {offered:.9g} is that of "
+    "crank and pins",
+    "teeth_disagree": "must be {expected}, ring teeth less satellite teeth, or left out",
 }
 """Refusals of one wrong parameter, by code."""
 
