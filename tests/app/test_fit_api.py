@@ -76,6 +76,18 @@ PRESSED = asked(
 
 # State, least and greatest room in mm, least and greatest play in arcmin, crank angle of the least.
 HELD = {
+    "clearance of 5 e": (
+        asked(4, 1, 20, 30, 2, 1.5, 7.5),
+        ("fits", 7.5, 7.5, 1725.653806634, 1786.640609953, None),
+    ),
+    "a hole smaller than pin and eccentricity": (
+        asked(4, 1, 30, 17, 3.5, 0.8, -0.35),
+        ("does_not_fit", -0.35, -0.35, None, None, None),
+    ),
+    "holes farther out than any pin reaches": (
+        asked(6, 1, 10, 30, 3, 1.5, 0.3, deviations={"hole_radial_mm": [[0.5] * 6]}),
+        ("does_not_fit", -0.2, -0.149112133, None, None, ...),
+    ),
     "clearance of 0.9 e": (
         asked(4, 1, 29, 33.875, 3, 1.25, 1.125),
         ("fits", 1.125, 1.125, 228.364493624, 266.020460992, None),
@@ -136,7 +148,7 @@ async def test_held_numbers(api, name):
     assert found["greatest_room_mm"] == pytest.approx(greatest, abs=1e-8)
     if place is None:
         assert "least_room_crank_angle_deg" not in found and "binding" not in found
-    else:
+    elif place is not ...:
         assert found["least_room_crank_angle_deg"] == pytest.approx(place, abs=1e-3)
     if shortest is None:
         assert "least_room_arcmin" not in found

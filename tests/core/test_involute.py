@@ -23,57 +23,6 @@ from tests.inputs.involute import CASES, drawn, given
 
 STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
 NAMES = [case["name"] for case in CASES]
-UNITS = {"mm": 1e3, "MPa": 1e-6, "N": 1.0, "deg": 180 / math.pi, "arcmin": 10800 / math.pi}
-RENAMED = {"tip_interference_G": "tip_interference"}
-
-
-def held(case, found, expected):
-    """Numbers of a case by their names with units, against those that are found."""
-    for name, value in expected.items():
-        plain, _, unit = name.rpartition("_")
-        plain, scale = (plain, UNITS[unit]) if unit in UNITS else (name, 1.0)
-        actual = found[RENAMED.get(plain, plain)]
-        if isinstance(value, bool):
-            assert actual is value, name
-        else:
-            assert actual * scale == pytest.approx(value, rel=case["rtol"], abs=1e-15), name
-
-
-def geometry(pair):
-    """Numbers of a pair by the names that the answer has without units."""
-    sizes = {
-        "operating_pressure_angle": pair.line.angle,
-        "eccentricity": pair.line.eccentricity,
-        "satellite_tip_radius": pair.teeth.satellite_tip,
-        "ring_tip_radius": pair.teeth.ring_tip,
-        "satellite_root_radius": pair.teeth.satellite_root,
-        "ring_root_radius": pair.ring_root,
-        "start_roll_satellite": pair.start_roll,
-    }
-    rest = (name for name in dir(pair) if not name.startswith("_"))
-    return {name: getattr(pair, name) for name in rest} | sizes
-
-
-@pytest.mark.parametrize("case", CASES, ids=NAMES)
-def test_held_sizes(case):
-    teeth, eccentricity = given(case)
-    pair = involute_pair(teeth=teeth, eccentricity=eccentricity)
-    held(case, geometry(pair), case["expect"]["geometry"])
-
-
-@pytest.mark.parametrize("case", CASES, ids=NAMES)
-def test_held_stresses(case):
-    teeth, eccentricity = given(case)
-    pair = involute_pair(teeth=teeth, eccentricity=eccentricity)
-    expected = dict(case["expect"]["stresses"])
-    torque = case["body"]["load"]["output_torque_Nm"]
-    width = case["body"]["gear"]["contact_length_mm"] / 1e3
-    loaded = {"pair": pair, "torque": torque, "contact_length": width}
-    root = root_stress(**loaded)
-    found = {name: getattr(root, name) for name in root.__dataclass_fields__}
-    held(case, found, expected.pop("root"))
-    load = involute_load(**loaded, satellite_material=STEEL, ring_material=STEEL)
-    held(case, {name: getattr(load, name) for name in load.__dataclass_fields__}, expected)
 
 
 POSES = [(case, pose) for case in CASES for pose in case.get("poses", ())]

@@ -25,8 +25,6 @@ from core.ring.sharing import CycloidMesh, RingDeviations
 from tests.inputs.real_mechanisms import STEEL
 from tests.inputs.ring_meshes import of_request as ring_of
 
-ERRORS_OF_BOTH = "eccentricity", "crank_phase", "disc_phase"
-
 LAWS: list[ContactLaw] = [
     LinearLaw(1e8),
     PowerLaw(1.4, 1000.0, 1e-5),
