@@ -73,42 +73,5 @@ def random_position(r: random.Random) -> float:
     return r.choice([-1, 1]) * r.choice([small, math.pi - small])
 
 
-def random_interval(r: random.Random, gear: dict[str, Any], phi_1: float) -> tuple[float, float]:
-    circle = gear["roller_circle_radius"]
-    kind = r.choice(["usual", "wide", "steep", "narrow"])
-    if kind == "usual":
-        start = circle * r.uniform(-1, 1)
-        return start, start + circle * 10 ** r.uniform(-3, 0)
-    if kind == "wide":
-        start = circle * r.choice([-1, 1]) * 10 ** r.uniform(-12, 3)
-        return start, start + max(circle * 10 ** r.uniform(-12, 3), abs(start) * 1e-13)
-    if kind == "steep":
-        a = float(scale(circle, gear["nutation_angle"], gear["ratio_u12"]))
-        width = abs(a * math.sin(phi_1))
-        start = -a * math.cos(phi_1) - width * r.uniform(-3, 10)
-        return start, start + max(width * 10 ** r.uniform(-1, 3), abs(start) * 1e-13)
-    start = circle * r.uniform(-1, 1)
-    return start, start + abs(start) * 10 ** r.uniform(-13, -1)
-
-
 def curve_scale(gear: dict[str, Any]) -> mpf:
     return scale(gear["roller_circle_radius"], gear["nutation_angle"], gear["ratio_u12"])
-
-
-def random_rollers(seed: int) -> dict[str, Any]:
-    r = random.Random(seed)
-    d = 10 ** r.uniform(-4, 0)
-    e = 10 ** r.uniform(8, 12)
-    return {
-        "output_torque": 10 ** r.uniform(-6, 9),
-        "hole_circle_radius": d * 10 ** r.uniform(-2, 3),
-        "rollers": r.choice([1, 2, 3, 4, 200, r.randint(1, 200)]),
-        "cylinder_length": d * 10 ** r.uniform(-3, 3),
-        "sphere_width": d * 10 ** r.uniform(-3, 3),
-        "sphere_diameter": d * 10 ** r.uniform(-3, 3),
-        "diameter": d,
-        "friction_coefficient": r.choice([0.0, 0.16, 10 ** r.uniform(-6, 1)]),
-        "youngs_modulus": e,
-        "poissons_ratio": r.uniform(0, 0.4999),
-        "stress_concentration": 10 ** r.uniform(0, 1),
-    }

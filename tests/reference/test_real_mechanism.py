@@ -4,9 +4,10 @@ import math
 
 import pytest
 from hypothesis import given
+from hypothesis import strategies as st
 
 from core.errors import ImpossibleMechanism
-from core.output.elasticity import LinearLaw, PinSupport, PowerLaw, pin_compliance
+from core.output.elasticity import RIGID_SUPPORT, LinearLaw, PinSupport, PowerLaw, pin_compliance
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
 from tests.inputs.classes import force_error, lag_error, play_error
@@ -15,6 +16,7 @@ from tests.inputs.real_mechanisms import (
     crank_angles,
     design,
     flat,
+    held,
     reals,
     solved,
     torques,
@@ -22,7 +24,7 @@ from tests.inputs.real_mechanisms import (
 from tests.oracles.load_sharing import exact_position
 
 
-@given(reals(), crank_angles, torques)
+@given(st.one_of(reals(), held()), crank_angles, torques)
 def test_forces_lag_and_play_are_within_their_stated_errors(
     real: RealMechanism, angle: float, torque: float
 ) -> None:
@@ -35,6 +37,11 @@ def test_forces_lag_and_play_are_within_their_stated_errors(
     if found.play is not None:
         for limit, expected in zip(found.play, exact.play, strict=True):
             assert abs(limit - expected) <= play_error(found) + 1e-40  # of the oracle
+    # Discs that give make forces hang less on rounding.
+    stiff = isinstance(real.law, PowerLaw) and real.law.exponent < 1
+    gives = real.support is not RIGID_SUPPORT
+    if gives and max(exact.force) > 1 and not found.interference and not stiff:
+        assert force_error(found) < 1e-9 * max(exact.force)
 
 
 @pytest.mark.parametrize("exact", [False, True])
