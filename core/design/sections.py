@@ -107,7 +107,7 @@ class Load:
     """Torque of the output; the torque on the pins if ring and pins are both outputs."""
     pin_circle_radius: float | None = optional_size("Pin circle radius", "R", "mm", step=1)
     """Radius of the circle of pin centres."""
-    force_exponent: float = quantity("Force exponent", "v", default=1.0, step=0.1, ge=0, le=1e6)
+    force_exponent: float = quantity("Force exponent", "v", default=1.0, step=0.1, ge=0, le=500)
     """Exponent v in force ∝ approach^v: 0 for equal sharing, 1 for linear contacts, 10/9 and 3/2
     for the usual contact laws."""
     torque_direction: Direction = quantity("Direction of the torque", default="driving")

@@ -12,6 +12,7 @@ from functools import lru_cache
 import numpy as np
 
 from core.arrays import BoolArray, ComplexArray, FloatArray, IntArray
+from core.errors import InvalidInput
 from core.output.contact_force import force_peak
 from core.output.losses import AT_SWITCH
 from core.output.mechanism import Mechanism
@@ -27,6 +28,9 @@ OFF_LINE = 4 * SEARCHED
 HALVED = 18
 """Most halvings of a panel: beside a pair that starts, forces of an exponent below 1 have no finite
 slope."""
+
+LEAST = 1e-3
+"""Least exponent but 0: below, a pair takes up its share within the rounding of its place."""
 
 NOTHING = 1e-30
 """Force of a pair, over that of the best placed one, that is too small to change any sum."""
@@ -173,7 +177,8 @@ def ideal_turn(
     """Ideal forces over a turn of the wave, sampled (Yanchevskiy and Niekhoroshykh 2021, eq. 10).
 
     In reverse (torque < 0, N*m) a pin bears equal forces the other way, half a turn of the wave
-    later. `ImpossibleMechanism` is raised if the mechanism has a dead centre.
+    later. `ImpossibleMechanism` is raised for a mechanism with a dead centre, `InvalidInput` for
+    an exponent between 0 and `LEAST`.
 
     Examples
     --------
@@ -182,6 +187,8 @@ def ideal_turn(
     >>> round(float(abs(turn.on_pins).max()), 4), round(float(turn.couple.sum(axis=0)[0]), 4)
     (3333.3333, 500.0)
     """
+    if 0 < force_exponent < LEAST:
+        raise InvalidInput("force_exponent", force_exponent, "greater_than_equal", limit=LEAST)
     unit = _sampled(mechanism, float(force_exponent))
     force, half = torque / pin_circle_radius, np.pi if torque < 0 else 0.0
     return replace(

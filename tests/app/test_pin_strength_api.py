@@ -61,6 +61,19 @@ async def test_the_worst_direction_of_a_high_exponent(api):
     assert answer["fatigue"]["safety_factor"] == pytest.approx(5.7074352635020088, rel=SEARCHED)
 
 
+@pytest.mark.parametrize("path", ["pin-strength", "satellite-bearing", "crankshaft"])
+@pytest.mark.parametrize(
+    ("exponent", "code"),
+    [(0, None), (1e-9, "greater_than_equal"), (1e-3, None), (500, None), (501, "less_than_equal")],
+)
+async def test_a_force_exponent_is_0_or_one_that_a_turn_resolves(api, path, exponent, code):
+    load = REQUESTS[path]["load"] | {"force_exponent": exponent}
+    body = REQUESTS[path] | {"load": load}
+    answer = (await api.post(path, json=body)).json()
+    refused = [(each["pointer"], each["code"]) for each in answer.get("errors", [])]
+    assert refused == ([("/load/force_exponent", code)] if code else [])
+
+
 async def test_a_torque_that_alternates(api):
     body = changed(REQUESTS[PATH], load={"torque_direction": "alternating"})
     body["fatigue"] = LIMIT

@@ -253,7 +253,7 @@ def largest(name, satellites, exponent):
     return body
 
 
-@pytest.mark.parametrize("exponent", [0.0, 0.3, 0.9, 1.0, 1.5, 4.3, 30.5, 1e3, 1e6])
+@pytest.mark.parametrize("exponent", [0.0, 0.3, 0.9, 1.0, 1.5, 4.3, 30.5, 500.0])
 @pytest.mark.parametrize("name", CALCULATIONS)
 def test_what_stays_in_the_event_loop_is_little_work_whatever_the_exponent_is(name, exponent):
     calculation, admitted = CALCULATIONS[name], 0

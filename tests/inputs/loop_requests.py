@@ -21,7 +21,7 @@ SIZES = {
     "samples": 10_001,
     "revolutions": 1000,
     "rollers_total": 500,
-    "force_exponent": 10**6,
+    "force_exponent": 500,
 }
 """What a request grows with, and how far."""
 

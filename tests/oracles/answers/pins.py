@@ -28,7 +28,7 @@ def request(r: Draw) -> Body:
     own = mechanism(r)
     while by_a_hair(own) or own["pins"] * own["satellites"] > 16:
         own = mechanism(r)
-    exponents = (*EXPONENTS, 0.5, 6.0, 40.0) if not r.extreme else (1e-3, 3.3, 300.0, 1e4, 1e6)
+    exponents = (*EXPONENTS, 0.5, 6.0, 40.0) if not r.extreme else (3.3, 20.0, 300.0, 500.0)
     load: Body = {
         "pin_circle_radius_mm": r.size(10, 200),
         "output_torque_Nm": r.size(1, 1e4),
