@@ -48,7 +48,7 @@ def judged(service: Service, body: Answer) -> tuple[Answer, str]:
     contact = body["contact"]
     open_by = {part.get("reason") for part in answer["parts"]}
     if "usual_fit" not in answer or "clearance_unknown" not in open_by:
-        return answer, f"{contact.get('hole_clearance_mm', 0):.3g}"
+        return answer, f"{contact.get('hole_clearance_mm', 0):.4g}"
     body = deepcopy(body)
     clearance = answer["usual_fit"]["hole_clearance_mm"]
     body["contact"]["hole_clearance_mm"] = clearance
@@ -59,7 +59,7 @@ def judged(service: Service, body: Answer) -> tuple[Answer, str]:
         "crank-planetary", body | {"include": ["checks", "largest_torque"]}
     )
     assert status == 200, answer
-    return answer, f"{clearance:.3g} *"
+    return answer, f"{clearance:.4g} *"
 
 
 def row(service: Service, reducer: Answer) -> tuple[str, float | None]:
