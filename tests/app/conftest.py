@@ -11,6 +11,7 @@ from app import processes
 from app.main import create_app
 from app.settings import Settings
 from tests.app import jobs_to_run
+from tests.inputs.bodies import applied
 
 APP = create_app(Settings(max_seconds=300))  # a busy machine is no reason to fail
 
@@ -36,6 +37,18 @@ class Api(httpx.AsyncClient):
         """Answer to a body, and its checks by code."""
         answer = await self.answer(path, body)
         return answer, {each["code"]: each for each in answer.get("checks", ())}
+
+    async def reposted(self, path, body, fix):
+        """Answer after a fix, whose check passes where it is solved."""
+        after, checks = await self.judged(
+            path, applied(body, fix["sets"]) | {"include": ["checks"]}
+        )
+        assert after["verdict"] == fix["verdict"], fix
+        if fix["status"] == "solved":
+            check = checks[fix["code"]]
+            unsourced = check.get("reason", {}).get("code") == "no_sourced_limit"
+            assert check["status"] == "pass" or unsourced, fix
+        return after
 
     async def refusal(self, path, body):
         """Pointer and code of the only error of a body."""

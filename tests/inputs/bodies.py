@@ -6,6 +6,18 @@ from typing import Any
 Body = dict[str, Any]
 
 
+def applied(body: Body, values: dict[str, Any]) -> Body:
+    """Copy of a body with other values, by their pointers."""
+    body = deepcopy(body)
+    for pointer, value in values.items():
+        *path, last = pointer.split("/")[1:]
+        inner: Any = body
+        for part in path:
+            inner = inner[int(part)] if isinstance(inner, list) else inner[part]
+        inner[last] = value
+    return body
+
+
 def changed(body: Body, /, **changes: Any) -> Body:
     """Copy of a body with other values: `section=` is laid over a section, `section__field=` stands
     in the place of a value. None takes it away.
