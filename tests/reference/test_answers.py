@@ -19,7 +19,13 @@ forces of exponent 0.5, whose stated error was too small.
 ENDING = (44, 54)
 """Pins whose life ends before a million loads: the required one, and one of their own."""
 
-OFTEN = ("hertz", "roller-strength", "precession/contact-line", "precession/meshing-load")
+OFTEN = (
+    "cyclogram",
+    "hertz",
+    "precession/contact-line",
+    "precession/meshing-load",
+    "roller-strength",
+)
 """Closed calculations, whose oracles are quick."""
 
 TRIED = {"pin-strength": (*RIDGES, *ENDING, *seeds(2, 3)[1:])}  # whose oracle takes seconds
