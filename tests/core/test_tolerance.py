@@ -246,6 +246,9 @@ def test_pieces_that_do_not_fit_are_counted_and_left_out() -> None:
     assert kept.value == pytest.approx(1 - found.cannot_assemble.value)
     fitting = found.yield_within(quantity="peak_force", limit=1e9, of_fitting=True)
     assert fitting.value == 1
+    stiffest = found.column("stiffness_min").max()
+    kept = found.yield_within(quantity="stiffness_min", limit=stiffest, of_fitting=True)
+    assert kept.value == pytest.approx(1 / found.fits.sum())
     # As each piece by itself.
     pieces = study.pieces()
     states = [study.piece(pieces, i).rooms.room.state for i in range(40)]
