@@ -138,7 +138,7 @@ def _work_contact_force(body: CrankPlanetaryRequest) -> list[Step]:
 
 
 def _work_clearance(body: CrankPlanetaryRequest) -> list[Step]:
-    fit, pair = body.solve_fit(), body.design.nominal_pair
+    fit, pair = body.design.pin_fit, body.design.nominal_pair
     return clearance_steps(
         clearance=fit.clearance,
         pin_radius=pair.pin_radius,

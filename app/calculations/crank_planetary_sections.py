@@ -400,7 +400,7 @@ def _load_sharing(body: CrankPlanetaryRequest) -> Values:
     curves = None
     load = body.known_load
     if load.curve_samples:
-        curves = real_curves(body, load.samples_of(body.built))
+        curves = real_curves(body, load.samples_of(body.design.built))
     drawn = curves and ForceCurvesOut.values(curves)
     ring = sharing.turn.ring if isinstance(sharing.turn, SeriesOverTurn) else None
     values = LoadSharingOut.values(
@@ -415,7 +415,7 @@ def _load_sharing(body: CrankPlanetaryRequest) -> Values:
 
 def real_curves(body: CrankPlanetaryRequest, samples: int) -> ForceCurves:
     """Solved forces over the range of the figure of forces."""
-    angles, _ = drawing_angles(mechanism=body.built, samples=2)
+    angles, _ = drawing_angles(mechanism=body.design.built, samples=2)
     turns = float(angles[-1]) / (2 * math.pi)
     carried = real_cyclogram(turn=body.solved_turn, revolutions=turns)
     crank_angle, force = carried_forces(
@@ -483,11 +483,11 @@ def _pins_and_holes(body: CrankPlanetaryRequest) -> tuple[PinGeometry, FloatArra
     crank_angle = to_si("crank_angle_deg", body.crank_angle_deg)
     pair, radius = body.design.nominal_pair, body.design.pin_circle_radius
     geometry = pin_geometry(
-        mechanism=body.built,
+        mechanism=body.design.built,
         crank_angle=crank_angle,
         pin_radius=pair.pin_radius,
         hole_radius=pair.hole_radius,
-        eccentricity=body.solve_fit().eccentricity,
+        eccentricity=body.design.pin_fit.eccentricity,
         pin_circle_radius=radius,
     )
     if not body.results.solved:
@@ -569,7 +569,7 @@ def _cold_values(body: CrankPlanetaryRequest, cold: ColdYield) -> Values:
 
 def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
     """Notices about the design, whatever sections are requested."""
-    results, found = body.results, notices_of(if_known(body.solve_fit))
+    results, found = body.results, notices_of(if_known(lambda: body.design.pin_fit))
     if body.contact is not None:
         found += body.contact.material_notices()
     if results.in_series:

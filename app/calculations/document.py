@@ -40,9 +40,9 @@ from core.arrays import FloatArray
 from core.design.document import Design
 from core.design.results import Results
 from core.design.stated import KINDS, design_of, refuse_contradictions
-from core.errors import CalculationError, Notice, if_known, required
+from core.errors import CalculationError, Notice, if_known
 from core.output.contact_force import drawing_angles
-from core.output.mechanism import Mechanism, Members, PinFit, pin_fit
+from core.output.mechanism import Members
 
 Result = TypeVar("Result")
 
@@ -222,11 +222,6 @@ class DocumentFields(RequestModel):
             self.deviations.refuse_other_lengths(pins, satellites, known)
         super().refuse_beyond(settings)
 
-    @cached_property
-    def built(self) -> Mechanism:
-        """Mechanism, built once."""
-        return self.design.built
-
     @property
     def members(self) -> Members:
         """Crank, pins and ring, one of which is the output."""
@@ -261,18 +256,6 @@ class DocumentFields(RequestModel):
         """Kind of forces that the results follow from."""
         return "real" if self.results.solved else "ideal"
 
-    def solve_fit(self) -> PinFit:
-        """Fit of pins in holes; `NotKnown` without pins."""
-        load, contact = self.design.load, self.design.contact
-        lacks = ("section_missing", "contact")
-        return pin_fit(
-            pins=self.design.pin_count,
-            pin_radius=required(contact.pin_radius, *lacks),
-            hole_radius=required(contact.hole_radius, *lacks),
-            eccentricity=contact.eccentricity,
-            pin_circle_radius=(load.pin_circle_radius if load else None) or math.inf,
-        )
-
 
 class StrengthFields(DocumentFields):
     """Document whose results follow from the forces on the pins, ideal or solved.
@@ -304,13 +287,13 @@ class StrengthFields(DocumentFields):
 
     def with_fit(self, result: Result) -> Result:
         """Result with notices about the fit of pins and holes."""
-        fit = notices_of(if_known(self.solve_fit))
+        fit = notices_of(if_known(lambda: self.design.pin_fit))
         notices = (*fit, *notices_of(result))
         return cast(Result, replace(cast(Any, result), notices=notices))
 
     def drawn_angles(self) -> tuple[FloatArray, FloatArray]:
         """Crank angles of a figure's curves with the switching angles of ideal pairs, rad."""
-        angles, switching = drawing_angles(mechanism=self.built)
+        angles, switching = drawing_angles(mechanism=self.design.built)
         return angles, switching[:0] if self.results.solved else switching
 
 

@@ -202,7 +202,7 @@ class LoadSharingRequest(CurveFields, SolvedFields, group="positions"):
             found = StiffnessCurveOut.values(lag)
             solved.values["stiffness_curve"] = at_output(found, self.members)
         if "ideal" in asked:
-            ideal = force_peak(self.built, law_kind(real.law)[1])
+            ideal = force_peak(self.design.built, law_kind(real.law)[1])
             solved.take(ideal.accuracy)
             peak = ideal.peak_force_ratio * abs(self.torque) / real.pin_circle_radius
             solved.values["ideal"] = {"peak_force_N": peak}
@@ -264,14 +264,14 @@ class LoadSharingRequest(CurveFields, SolvedFields, group="positions"):
             samples = DRAWN_IN_SERIES
             self.refuse_many_in_series(MAX_FORCES_IN_SERIES // (2 * samples))
         assert self.fit  # refuses parts that cannot be put together
-        angles, _ = drawing_angles(mechanism=self.built)
+        angles, _ = drawing_angles(mechanism=self.design.built)
         curves, direction = self.curves(stage, float(angles[-1]), samples)
         hardest = [real.hardest(force.tolist()) for force in curves.force.T]
         # Pairs that drive in one direction brake in the other.
         turned = math.pi if self.torque < 0 or direction == "reverse" else 0.0
-        start = self.built.initial_crank_angle + turned
+        start = self.design.built.initial_crank_angle + turned
         ideal = force_curves(
-            mechanism=replace(self.built, initial_crank_angle=start),
+            mechanism=replace(self.design.built, initial_crank_angle=start),
             crank_angle=curves.crank_angle,
             reference=abs(self.torque) / real.pin_circle_radius,
             force_exponent=law_kind(real.law)[1],

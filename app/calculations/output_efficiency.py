@@ -75,7 +75,7 @@ class OutputEfficiencyRequest(CurveFields, StrengthFields):
         losses = self.solve()
         if "curves" not in self.include:
             return losses, None
-        return losses, self.curves(losses, turn(self.samples_of(self.built)))
+        return losses, self.curves(losses, turn(self.samples_of(self.design.built)))
 
     def curves(self, losses: PinLosses, crank_angle: FloatArray) -> LossCurves:
         """Loss and efficiency at crank angles, rad."""

@@ -37,7 +37,7 @@ from core.output.elasticity import (
     SatelliteSupport,
     Supports,
 )
-from core.output.mechanism import Mechanism, Members, MemberSpeeds
+from core.output.mechanism import Mechanism, Members, MemberSpeeds, PinFit, pin_fit
 from core.output.pin_beam import check_apart
 from core.output.pin_section import MOST_BORE
 from core.output.room import Deviations
@@ -240,6 +240,18 @@ class Design:
     def built(self) -> Mechanism:
         """Mechanism of pins and cranks."""
         return mechanism_of(self.mechanism)
+
+    @property
+    def pin_fit(self) -> PinFit:
+        """Fit of pins in holes; `NotKnown` without pins."""
+        lacks = ("section_missing", "contact")
+        return pin_fit(
+            pins=self.pin_count,
+            pin_radius=required(self.contact.pin_radius, *lacks),
+            hole_radius=required(self.contact.hole_radius, *lacks),
+            eccentricity=self.contact.eccentricity,
+            pin_circle_radius=(self.load.pin_circle_radius if self.load else None) or math.inf,
+        )
 
     @property
     def crank_angles(self) -> tuple[float, ...]:
