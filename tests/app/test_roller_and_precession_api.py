@@ -331,3 +331,15 @@ async def test_pressure_along_the_lines_where_the_teeth_are_given(api):
     hollow = body | {"line_contact": contact | {"mating_radius_mm": -3}}
     refused = (await api.post(path, json=hollow)).json()
     assert refused["errors"][0]["pointer"] == "/line_contact/mating_radius_mm"
+
+
+async def test_more_rollers_cure_a_stress_unless_each_has_a_gap_of_its_own(api):
+    drive = ROLLERS | {"output_torque_Nm": 4000, "yield_strength_MPa": 300}
+    drive |= {"include": ["checks", "fixes"]}
+    del drive["position_tolerance_mm"]
+    cures = []
+    for more in ({"position_tolerance_mm": 0.002}, {"gaps_mm": [0.0, 0.002, 0.0, 0.001]}):
+        answer = (await api.post("roller-strength", json=drive | more)).json()
+        cures.append({each["pointer"] for each in answer["fixes"]})
+    both = {"/diameter_mm", "/hole_circle_radius_mm", "/output_torque_Nm"}
+    assert cures == [both | {"/rollers", "/position_tolerance_mm"}, both]
