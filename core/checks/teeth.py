@@ -382,7 +382,7 @@ def ring_pressed(kind: Kind, design: Design, results: Results) -> Check:
         felt = over > AS_TYPED * pair.teeth.module
         return kind.judged(over if felt else 0.0, 0.0)
     try:
-        over = results.ring.working[0].interference
+        over = results.ring.loading.interference
     except ImpossibleMechanism as why:  # the forces do not exist, and are not needed further
         angle = why.where.get("crank_angle")
         if angle is None or why.code == "cannot_assemble":  # the reason does not concern the teeth

@@ -187,9 +187,10 @@ class RingResults:
 
     def turns(self, torque: float) -> list[MeshTurn]:
         """Ring mesh in each direction of the torque, N*m; the larger pressure comes first."""
-        ways = WAYS[self.design.load.torque_direction]
-        turns = [self.turn(way * torque) for way in ways]
-        return sorted(turns, key=lambda turn: turn.max_pressure, reverse=len(ways) > 1)
+        turns = [self.turn(way * torque) for way in WAYS[self.design.load.torque_direction]]
+        if len(turns) == 1:
+            return turns
+        return sorted(turns, key=lambda turn: turn.max_pressure, reverse=True)
 
     @derived
     def working(self) -> list[MeshTurn]:

@@ -204,11 +204,14 @@ MIDDLES = 12
 PLACE = 1e-10
 """Width of the bracket about a summit at which `narrow` ends, rad."""
 
-FLAT = 1e-13
-"""Fall from a summit to both ends of its bracket, over its height, at which `narrow` ends."""
+FLAT = 1e-10
+"""Fall from a summit to the places on both sides, over its height, at which `narrow` ends."""
 
-BESIDE = 0.02
-"""Least distance of the next place from the best one, over the width of the bracket."""
+CLOSE_BY = 1e4
+"""Fall over that at the end of `narrow` from which the next place is nearer by the root of both."""
+
+BENT_ALIKE = 3.0
+"""Largest ratio of the bends about a smooth summit."""
 
 GOLDEN = (math.sqrt(5) - 1) / 2
 
@@ -1665,26 +1668,89 @@ def gaps(phi: float, lags: Row, drive: Drive, work: Work, found: Row) -> None:
             found[i] = w[i, DELTA]
 
 
+def enter(there: float, found: float, x: Row, y: Row) -> None:
+    """Take in a place and its height among five places, whose middle one is the highest."""
+    highest = found > y[2]
+    side = 1 if (there < x[2]) != highest else 3
+    x[2 * side - 2], y[2 * side - 2] = x[side], y[side]
+    if highest:
+        x[side], y[side] = x[2], y[2]
+        side = 2
+    x[side], y[side] = there, found
+
+
+def tip(
+    low: float, at_low: float, up: float, high: float, at_high: float, down: float
+) -> tuple[float, float]:
+    """Place and height where lines through two places meet, of slopes `up` and `down`; the higher
+    place if one is below the other over the gap, and NaN twice where there is a jump.
+    """
+    gap = high - low
+    ahead, behind = at_low + up * gap - at_high, at_high - down * gap - at_low
+    if min(ahead, behind) < -abs(at_high - at_low) / 2:
+        return math.nan, math.nan
+    if ahead <= 0 or behind <= 0:
+        return (low, at_low) if at_low > at_high else (high, at_high)
+    off = behind / (up - down)
+    return low + off, at_low + up * off
+
+
+def summit(x: Row, y: Row) -> tuple[float, float]:
+    """Place and height of the summit that five places and their heights suggest, as `tip`.
+
+    A smooth summit is that of the parabola through the three highest places. Most summits are where
+    a pair takes up or leaves, and the lines through two places on either side meet, in the gap from
+    which the slope changes less farther on.
+    """
+    a, b = (y[1] - y[0]) / (x[1] - x[0]), (y[2] - y[1]) / (x[2] - x[1])
+    c, d = (y[3] - y[2]) / (x[3] - x[2]), (y[4] - y[3]) / (x[4] - x[3])
+    before, bend, after = (b - a) / (x[2] - x[0]), (c - b) / (x[3] - x[1]), (d - c) / (x[4] - x[2])
+    if max(before, bend, after) < min(before, bend, after) / BENT_ALIKE:
+        steep = b + bend * (x[2] - x[1])
+        return x[2] - steep / (2 * bend), y[2] - steep**2 / (4 * bend)
+    if abs(d - c) < abs(b - a):
+        return tip(x[1], y[1], a, x[2], y[2], c)
+    return tip(x[2], y[2], b, x[3], y[3], d)
+
+
 def narrow(
     kind: int,
     sign: int,
-    low: float,
-    high: float,
+    x: Row,
+    y: Row,
     torque: float,
     share: float,
     drive: Drive,
     work: Work,
     row: Row,
 ) -> tuple[float, float, float, int]:
-    """Place and height of a read-out's largest value between two places (least for ``sign`` -1), an
-    error of the height, and the number of places tried: 0 if the place returned has no equilibrium.
+    """Place and height of a read-out's largest value about the middle one of five places, an error
+    of the height, and the number of places tried: -1 if the place returned has no equilibrium. For
+    ``sign`` -1 it is the least value.
+
+    `x` are the places and `y` their heights, times the sign; both are overwritten. The place tried
+    next is that of `summit`, or as far beyond it if it is near the best place, and where nothing
+    higher is expected one so close to the best that the height falls little. Golden section serves
+    at jumps, and where heights are not as expected.
     """
-    play, looks, error = kind in (LOW, HIGH, PLAY), 0, math.inf
-    before, further = low - (high - low), high + (high - low)
-    best = there = low + (1 - GOLDEN) * (high - low)
-    top = at_low = at_high = at_before = at_further = -math.inf
-    width = wider = math.inf
-    while looks == 0 or (high - low > PLACE and error > FLAT * abs(top)):
+    play, looks, expected, off = kind in (LOW, HIGH, PLAY), 0, True, math.inf
+    while True:
+        side = 1 if y[1] < y[3] else 3
+        near, fall = FLAT * abs(y[2]), y[2] - y[side]
+        if fall <= near or x[3] - x[1] <= PLACE:
+            return x[2], sign * y[2], fall, looks
+        there, height = summit(x, y)
+        towards = x[3] if there > x[2] else x[1]
+        closing, beyond = height <= y[2] + near / 2, abs(there - x[2]) < 0.1 * abs(towards - x[2])
+        guessed = expected and (closing or abs(there - x[2]) > 0)
+        if not guessed:
+            wider = 3 if x[3] - x[2] > x[2] - x[1] else 1
+            there = x[2] + (1 - GOLDEN) * (x[wider] - x[2])
+        elif closing:
+            part = near / (2 * fall) if fall < CLOSE_BY * near else math.sqrt(near / fall)
+            there = x[2] + part * (x[side] - x[2])
+        elif beyond:
+            there += there - x[2]
         found = 0.0
         if play:
             place(there, drive, work)
@@ -1695,40 +1761,15 @@ def narrow(
             asked = torque if kind != LOST else share * torque * (1.0 - 2.0 * side)
             take_side(work.sides, side, work.q, False)
             if position(there, asked, looks > 0, False, drive, work, row) != SOLVED:
-                return there, 0.0, 0.0, 0
+                return there, 0.0, 0.0, -1
             take_side(work.sides, side, work.q, True)
             found += sign * (row[LAG] if kind == LOST else row[kind])
         looks += 1
-        worse, at_worse = (best, top) if found > top else (there, found)
-        if found > top:
-            best, top = there, found
-        if worse < best:
-            before, at_before, low, at_low = low, at_low, worse, at_worse
-        elif worse > best:
-            further, at_further, high, at_high = high, at_high, worse, at_worse
-        error = top - min(at_low, at_high)
-        # Most summits are where a pair takes up or leaves: where the lines through the last places
-        # on either side meet. Golden section serves where these do not close in.
-        closes, wider, width = high - low <= wider / 2, width, high - low
-        there = best + (1 - GOLDEN) * ((high if high - best > best - low else low) - best)
-        highest = -math.inf
-        for right in range(2 if closes else 0):
-            a, at_a, b, at_b = before, at_before, low, at_low
-            c, at_c, d, at_d = best, top, high, at_high
-            if right:
-                a, at_a, b, at_b, c, at_c = low, at_low, best, top, high, at_high
-                d, at_d = further, at_further
-            if a == b or c == d:
-                continue
-            rise, fall = (at_b - at_a) / (b - a), (at_c - at_d) / (d - c)
-            if rise > 0 and fall > 0 and math.isfinite(rise + fall):
-                off = (at_c - at_b + fall * (c - b)) / (rise + fall)
-                if 0 <= off <= c - b and at_b + rise * off > highest:
-                    there, highest = b + off, at_b + rise * off
-        if abs(there - best) < BESIDE * width:
-            there = best + math.copysign(BESIDE * width, high - best - (best - low))
-        there = min(max(there, low + BESIDE * width), high - BESIDE * width)
-    return best, sign * top, error, looks
+        if not guessed or closing:
+            expected, off = not guessed or found <= y[2], math.inf
+        elif not beyond:
+            expected, off = abs(found - height) <= off, abs(found - height)
+        enter(there, found, x, y)
 
 
 def free_there(drive: Drive, work: Work) -> bool:

@@ -21,22 +21,30 @@ NEARLY = 0.05
 LOOKED = 8
 """Largest number of summits that a second look narrows."""
 
-CLOSER = 24
-"""Largest number of narrowings about a sample beside a jump."""
-
 POINTS, ZOOMS = np.linspace(-1.0, 1.0, 17), 8
 """Places over the half width, and number of zooms: the last spacing is 6e-8 of the half width."""
-
-ROUNDED = 1e-12
-"""Relative amount by which a narrowed height may be below the sample's without a jump beside it."""
 
 LAST = len(POINTS) - 1
 
 CLOSER_BY = float(POINTS[1] - POINTS[0])
 """Width of a zoom over that of the zoom before."""
 
-Narrow = Callable[[float, float], tuple[float, float, float]]
-"""Function that returns place, height and error of the largest value between two places."""
+Narrow = Callable[[FloatArray, FloatArray], tuple[float, float, float]]
+"""Function that returns place, height and error of the largest value about the middle one of five
+places, rad, from these and their heights, each of shape (5,).
+"""
+
+
+def about(
+    *, places: FloatArray, heights: FloatArray, top: int, period: float
+) -> tuple[FloatArray, FloatArray]:
+    """Place and height of a sample of a periodic function and of two on either side, shape (5,).
+
+    >>> about(places=np.array([0.0, 1, 2]), heights=np.array([5.0, 6, 7]), top=2, period=3)
+    (array([0., 1., 2., 3., 4.]), array([5., 6., 7., 5., 6.]))
+    """
+    turns, near = np.divmod(np.arange(top - 2, top + 3), len(places))
+    return places[near] + period * turns, heights[near]
 
 
 def other_places(*, count: int, first: float = 0.0, period: float = 2 * math.pi) -> FloatArray:
@@ -94,32 +102,6 @@ def zoom(
     return places, heights, errors
 
 
-def hill(
-    *, place: float, height: float, low: float, high: float, narrow: Narrow
-) -> tuple[float, float, float]:
-    """Place, height and error of the largest value about a sample, between its neighbours.
-
-    A narrowing between the neighbours `low` and `high` that ends below the sample's height has met
-    a jump or a narrow plateau; the search then closes in on the highest place known.
-
-    >>> def narrow(low, high):
-    ...     return max((x, x if 0.9 < x < 1.2 else 0.0, 0.0) for x in (low, high))
-    >>> hill(place=1.0, height=1.0, low=0.0, high=2.0, narrow=narrow)[1] > 1.18
-    True
-    """
-    found = narrow(low, high)
-    if found[1] >= height - ROUNDED * abs(height):
-        return found
-    best, width = (place, height, 0.0), min(place - low, high - place)
-    for _ in range(CLOSER):
-        found = narrow(max(low, best[0] - width), min(high, best[0] + width))
-        if found[1] > best[1]:
-            best = found
-        else:
-            width /= 2
-    return best
-
-
 def second_look(
     *,
     places: FloatArray,
@@ -137,18 +119,17 @@ def second_look(
     known : float
         Largest value of the first look. Where nothing is higher, it is returned with the place NaN.
     narrow : callable
-        Place, height and error of the largest value between two places.
+        Place, height and error of the largest value about five places, see `Narrow`.
     period : float
         Period of the function, rad.
 
     Examples
     --------
     >>> places = other_places(count=7)
-    >>> look = lambda low, high: (1.0, 1.0, 0.0)
+    >>> look = lambda places, heights: (1.0, 1.0, 0.0)
     >>> second_look(places=places, heights=np.cos(places - 1), known=0.9, narrow=look)
     (1.0, 1.0, 0.0)
     """
-    step = period / len(places)
     before, after = np.roll(heights, 1), np.roll(heights, -1)
     tops = np.flatnonzero((heights >= before) & (heights > after))
     # A summit is taken to rise above its sample by no more than the fall to the lower neighbour.
@@ -158,14 +139,8 @@ def second_look(
     for top in sorted(tops.tolist(), key=lambda top: -heights[top])[:LOOKED]:
         if ceilings[top] < best or heights[top] < least:
             continue
-        place = float(places[top])
-        place, height, error = hill(
-            place=place,
-            height=float(heights[top]),
-            low=place - step,
-            high=place + step,
-            narrow=narrow,
-        )
+        near = about(places=places, heights=heights, top=top, period=period)
+        place, height, error = narrow(*near)
         if height > best:
             best, where, off = height, place, error
     return where, best, off

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray
-from core.numerics.extremes import Narrow, hill
+from core.numerics.extremes import Narrow, about
 
 ALIKE = 1e-11
 """Relative difference below which two summits of the grid count as equal."""
@@ -57,7 +57,7 @@ def summits(
     grid : Grid
         Values over one period.
     narrow : callable
-        Place, height and error of the largest value between two places.
+        Place, height and error of the largest value about five places, see `Narrow`.
     known : sequence of Summit
         Summits found before, which are not narrowed again.
     most : int, optional
@@ -85,15 +85,12 @@ def summits(
         i = alike[0]
         if top and len(found) >= ZOOMED and ceilings[i] <= max(map(_height, found)):
             break
-        low = float(places[i - 1]) - (turn if i == 0 else 0)
-        high = float(places[i + 1]) if i + 1 < count else float(places[0]) + turn
-        same = [each for each in known if low <= each.place <= high]
+        near = about(places=places, heights=heights, top=i, period=turn)
+        same = [each for each in known if near[0][1] <= each.place <= near[0][3]]
         if same:
             found.append(same[0])
             continue
-        place, height, error = hill(
-            place=float(places[i]), height=float(heights[i]), low=low, high=high, narrow=narrow
-        )
+        place, height, error = narrow(*near)
         others = tuple(place + float(places[k] - places[i]) for k in alike)
         found.append(Summit(place, height, error, others))
     return found

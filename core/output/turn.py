@@ -124,18 +124,24 @@ class Turn:
         return self.poses(places.tolist())
 
     @derived
+    def places(self) -> tuple[list[float], list[float]]:
+        """Angles of an even grid and around dead angles over a period, rad, and the middles of the
+        even steps.
+        """
+        even, near = self.positions()
+        middle = (even[1] - even[0]) / 2
+        coarse = {*even, *near}
+        return sorted(coarse), sorted({psi + middle for psi in even} - coarse)
+
+    @derived
     def coarse(self) -> Rows:
         """Positions of an even grid and around dead angles, over a period."""
-        even, near = self.positions()
-        return self.poses(sorted({*even, *near}))
+        return self.poses(self.places[0])
 
     @derived
     def fine(self) -> Rows:
         """Positions of the coarse grid and of the middles of its even steps."""
-        even, near = self.positions()
-        middle = (even[1] - even[0]) / 2
-        between = {psi + middle for psi in even} - {*even, *near}
-        return joined(one=self.coarse, other=self.poses(sorted(between)))
+        return joined(one=self.coarse, other=self.poses(self.places[1]))
 
     @derived
     def again(self) -> Rows:
@@ -163,13 +169,13 @@ class Turn:
         return Grid(np.array(where), heights, period)
 
     def narrow(self, kind: int, sign: int = 1) -> Narrow:
-        """Function that finds a read-out's largest value between two places; least for sign -1."""
+        """Function that finds a read-out's largest value about five places; least for sign -1."""
         room = self.room
 
-        def narrowed(low: float, high: float) -> tuple[float, float, float]:
-            given = kind, sign, low, high, self.torque, self.share
+        def narrowed(places: FloatArray, heights: FloatArray) -> tuple[float, float, float]:
+            given = kind, sign, places, heights, self.torque, self.share
             place, height, error, looks = engine.narrow(*given, room.drive, room.work, room.rows[0])
-            if not looks:
+            if looks < 0:
                 status = int(room.rows[0, engine.STATUS])
                 self.real.refuse(angle=place, status=status, room=room)
             if kind not in OF_PLAY:

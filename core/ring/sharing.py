@@ -404,9 +404,10 @@ class MeshTurn(OverTurn):
     @derived
     def interference(self) -> float:
         """Largest interference without load over the turn, m; 0 if no pair presses anywhere."""
-        if not self.pressed_without_load:
+        places = self.turn.places
+        if not any(self.mesh.free(each, 1.0)[1].any() for each in places):
             return 0.0
-        wave = self.turn.fine["wave"]
+        wave = np.sort(np.concatenate(places))
         apart = math.ceil(len(wave) / LOOKED_PRESSING)
 
         def pressing(places: IntArray) -> FloatArray:

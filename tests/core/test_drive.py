@@ -11,6 +11,7 @@ import pytest
 
 from core.drive import compiled, engine
 from core.drive.model import work_for
+from core.numerics.extremes import about
 from core.output.stage import Solved, Stage
 from core.output.turn import Turn
 from core.precision import EXACT, SAME
@@ -44,11 +45,13 @@ def test_as_it_is_the_engine_gives_what_it_gives_compiled(seed: int) -> None:
     names = engine.STIFFNESS, engine.LOW, engine.HIGH, engine.INPUT_TORQUE, engine.RUB
     for name in names:
         assert other.rows[:, name] == pytest.approx(one.rows[:, name], rel=EXACT)
-    given = engine.LAG, 1, places[0], places[0] + 1e-3, torque, 0.1
-    tops = [
-        of.narrow(*given, room.drive, room.work, room.rows[0])
-        for of, room in ((engine, one), (plain, other))
-    ]
+    grid = Turn(real, torque).values(engine.LAG, np.linspace(0, 2 * math.pi, 120, endpoint=False))
+    tops = []
+    for of, room in ((engine, one), (plain, other)):
+        top = int(grid.heights.argmax())
+        near = about(places=grid.places, heights=grid.heights, top=top, period=2 * math.pi)
+        given = engine.LAG, 1, *near, torque, 0.1
+        tops.append(of.narrow(*given, room.drive, room.work, room.rows[0]))
     assert tops[0][1] == pytest.approx(tops[1][1], rel=EXACT)
 
 

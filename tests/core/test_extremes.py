@@ -6,22 +6,12 @@ import numpy as np
 import pytest
 
 from core.numerics.extremes import other_places, second_look, zoom
+from tests.inputs.plain_engine import narrowing
 
 
 def spike(place: float) -> float:
     """Waves, and a spike at 1.3 that is narrower than their distance."""
     return math.cos(11 * place) / 100 + max(1 - 40 * abs(place - 1.3), 0.9 * math.cos(place))
-
-
-def by_thirds(low: float, high: float) -> tuple[float, float, float]:
-    """The largest value between two places."""
-    while high - low > 1e-12:
-        third = (high - low) / 3
-        if spike(low + third) < spike(high - third):
-            low += third
-        else:
-            high -= third
-    return (low + high) / 2, spike((low + high) / 2), 0.0
 
 
 def test_the_places_are_those_of_no_even_grid() -> None:
@@ -35,7 +25,9 @@ def test_the_places_are_those_of_no_even_grid() -> None:
 def test_a_summit_that_the_first_look_missed_is_found() -> None:
     places = other_places(count=461)
     heights = np.array([*map(spike, places)])
-    place, height, _ = second_look(places=places, heights=heights, known=0.93, narrow=by_thirds)
+    place, height, _ = second_look(
+        places=places, heights=heights, known=0.93, narrow=narrowing(spike)
+    )
     assert height == pytest.approx(max(spike(1.3 + x) for x in np.linspace(-0.01, 0.01, 4001)))
     assert place == pytest.approx(1.3, abs=1e-3)
 
@@ -43,13 +35,15 @@ def test_a_summit_that_the_first_look_missed_is_found() -> None:
 def test_nothing_higher_is_the_first_looks_value() -> None:
     places = other_places(count=461)
     heights = np.array([*map(spike, places)])
-    place, height, error = second_look(places=places, heights=heights, known=2.0, narrow=by_thirds)
+    place, height, error = second_look(
+        places=places, heights=heights, known=2.0, narrow=narrowing(spike)
+    )
     assert math.isnan(place) and (height, error) == (2.0, 0.0)
 
 
 def test_of_what_is_alike_everywhere_nothing_is_narrowed() -> None:
     places = other_places(count=97)
-    found = second_look(places=places, heights=np.ones(97), known=1.0, narrow=by_thirds)
+    found = second_look(places=places, heights=np.ones(97), known=1.0, narrow=narrowing(spike))
     assert found[1] == 1.0
 
 

@@ -1,11 +1,14 @@
 """Summits of a grid: which of them are narrowed for the highest one."""
 
 import math
+import random
 
 import numpy as np
 import pytest
 
+from core.drive.engine import FLAT
 from core.output.summits import Grid, highest, summits
+from tests.inputs.plain_engine import narrowing
 
 
 def wave(place):
@@ -13,45 +16,51 @@ def wave(place):
     return math.cos(11 * (place - 0.1)) + 2e-4 * math.cos(place - 0.1)
 
 
-def golden(low, high):
-    """The largest value between two places, by thirds."""
-    while high - low > 1e-9:
-        third = (high - low) / 3
-        if wave(low + third) < wave(high - third):
-            low += third
-        else:
-            high -= third
-    return (low + high) / 2, wave((low + high) / 2), 0.0
-
-
 @pytest.mark.parametrize("turned", np.linspace(0, 2 * math.pi / 90, 9).tolist())
 def test_the_highest_is_found_however_low_it_is_on_the_grid(turned):
     places = turned + np.arange(180) * (2 * math.pi / 180)
     heights = np.array([*map(wave, places)])
     coarse = Grid(places[::2], heights[::2])
-    top, _ = highest(coarse=coarse, fine=Grid(places, heights), narrow=golden)
+    top, _ = highest(coarse=coarse, fine=Grid(places, heights), narrow=narrowing(wave))
     assert top.place % (2 * math.pi) == pytest.approx(0.1, abs=1e-6)
     assert top.height == pytest.approx(1 + 2e-4, abs=1e-12)
 
 
 def test_a_rising_plateau_beside_a_jump_narrower_than_the_places() -> None:
-    """The lost motion of nearly pressed pins: golden section alone runs off the plateau."""
+    """The lost motion of nearly pressed pins: a search that leaves the best place runs off it."""
 
     def value(x: float) -> float:
         off = math.remainder(x - 2.0, 2 * math.pi)
         return 1 + off if -0.004 <= off <= 0.0025 else 0.01 * math.cos(x)
-
-    def narrow(low: float, high: float) -> tuple[float, float, float]:
-        golden = (math.sqrt(5) - 1) / 2
-        while high - low > 1e-11:
-            a, b = high - golden * (high - low), low + golden * (high - low)
-            low, high = (low, b) if value(a) >= value(b) else (a, high)
-        return low, value(low), 0.0
 
     for start in (0.0, 0.001, 0.003, 0.0045):
         places = start + np.arange(720) * (2 * math.pi / 720)
         grid = Grid(places, np.array([*map(value, places)]))
         if grid.heights.max() < 0.5:  # no place on it
             continue
-        found = max(summits(grid=grid, narrow=narrow), key=lambda each: each.height)
+        found = max(summits(grid=grid, narrow=narrowing(value)), key=lambda each: each.height)
         assert found.height == pytest.approx(1.0025, abs=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_a_kink_between_bent_sides_is_found_in_few_looks(seed: int) -> None:
+    """The tip of both is known; a smooth summit with a third-order part is found sooner."""
+    draw = random.Random(seed)
+    tip, up, down = draw.uniform(-0.5, 0.5), draw.uniform(0.01, 3), draw.uniform(0.01, 3)
+    bends = draw.uniform(-2, 2), draw.uniform(-2, 2)
+    skew = draw.uniform(-3, 3)
+
+    def kinked(x: float) -> float:
+        off = (x - tip) / 100
+        return 5 + (up if off < 0 else -down) * off + bends[int(off > 0)] * off**2
+
+    def smooth(x: float) -> float:
+        return 5 + up * (-(((x - tip) / 100) ** 2) + skew * ((x - tip) / 100) ** 3)
+
+    for value, near in ((kinked, 22), (smooth, 12)):
+        places = np.arange(-2.0, 3.0)
+        narrow = narrowing(value)
+        place, height, error = narrow(places, np.array([*map(value, places)]))
+        assert 0 <= 5.0 - height <= 2 * FLAT * height and error <= FLAT * height
+        assert place == pytest.approx(tip, abs=1e-2)
+        assert narrow.looks <= near
