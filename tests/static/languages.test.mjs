@@ -116,7 +116,7 @@ test("a noun agrees with its number", async () => {
 });
 
 test("every option of every form has its words, or is a designation", async () => {
-  const designation = /^$|^[A-Za-z]{0,2}\d+(\/[a-z]+\d+)?$/; // of a fit, a class, a bearing
+  const designation = /^$|^[A-Za-z]{0,3}\d+(\/[a-z]*\d+)?(E|-XL)?$/; // of a fit, a class, a bearing
   for (const id of CALCULATORS) {
     const { catalogues = {}, wanted, path, ...own } = await calculatorOf(id);
     const at = (one) => `/api/v1${one}`;
