@@ -583,6 +583,10 @@ def _in_json(hint: Any, depth: int) -> Any:
         return LIST[_in_json(FloatArray, depth - 1)] if depth else float
     if get_origin(hint) is list or inner[1:] == (...,):
         return LIST[_in_json(inner[0], depth)]
+    if hint.__module__.startswith("core.") and hint not in ANSWERS:
+        raise TypeError(
+            f"the model of {hint.__name__} is made after that of an answer which has it"
+        )
     return float if hint is Any else ANSWERS.get(hint, hint)
 
 

@@ -1,5 +1,6 @@
 """Answer of the ring mesh in series with the output mechanism."""
 
+from app.calculations.mechanism import PairOut
 from app.model import ResponseModel, Values, result
 from app.units import from_si
 from core.ring.series import RingPart, SeriesPosition
@@ -19,6 +20,8 @@ class RingPartOut(ResponseModel, of=RingPart):
 
 class RingTurnOut(ResponseModel, of=RingTurn):
     """Ring mesh over all turns, if both meshes are in series."""
+
+    peak_pair: PairOut
 
 
 def ring_values(position: SeriesPosition) -> Values:
