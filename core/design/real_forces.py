@@ -9,6 +9,7 @@ from typing import Self
 
 from core.errors import NotKnown
 from core.hertz import HertzContact
+from core.numerics.extremes import first_largest
 from core.output.over_turn import OverTurn
 from core.output.real_mechanism import RealMechanism
 from core.output.sampled_turn import WAYS, Direction
@@ -46,7 +47,7 @@ class RealForces:
                 return turns[way].max_pressure
             return math.inf
 
-        way = max(ways, key=pressure)
+        way = ways[first_largest([*map(pressure, ways)])]
         return cls(turns[way].real, way, torque, turns[way])
 
     @cached_property

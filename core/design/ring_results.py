@@ -13,6 +13,7 @@ from core.design.ring import InvoluteRing, RingBody
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, NotKnown, derived, if_known, required
 from core.hertz import Body, first_yield
+from core.numerics.extremes import first_largest
 from core.output.elasticity import RIGID_SUPPORT
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
@@ -190,7 +191,8 @@ class RingResults:
         turns = [self.turn(way * torque) for way in WAYS[self.design.load.torque_direction]]
         if len(turns) == 1:
             return turns
-        return sorted(turns, key=lambda turn: turn.max_pressure, reverse=True)
+        first = first_largest([turn.max_pressure for turn in turns])
+        return turns[first:] + turns[:first]
 
     @derived
     def working(self) -> list[MeshTurn]:

@@ -9,8 +9,10 @@ import math
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from core.arrays import FloatArray
+from core.precision import AS_TYPED
 
 MOVED = (math.sqrt(5) - 1) / 2
 """Shift of the second look's places over their spacing: the golden section meets no grid."""
@@ -45,6 +47,17 @@ def about(
     """
     turns, near = np.divmod(np.arange(top - 2, top + 3), len(places))
     return places[near] + period * turns, heights[near]
+
+
+def first_largest(values: ArrayLike) -> int:
+    """Index of the first of the largest values, which are not negative; values that differ by no
+    more than two searches of one summit count as equal.
+
+    >>> first_largest([1.0, 2.0, 2.0 + 1e-10])
+    1
+    """
+    found = np.asarray(values)
+    return int((found >= found.max() * (1 - AS_TYPED)).argmax())
 
 
 def other_places(*, count: int, first: float = 0.0, period: float = 2 * math.pi) -> FloatArray:

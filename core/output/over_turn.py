@@ -18,7 +18,7 @@ from core.drive.engine import HIGH, INPUT_TORQUE, LAG, LOST, PLAY, STIFFNESS
 from core.errors import Accuracy, InvalidInput, Notice, derived, poorly_known
 from core.fields import answered
 from core.hertz import HertzContact
-from core.numerics.extremes import second_look
+from core.numerics.extremes import first_largest, second_look
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.real_mechanism import RealMechanism
@@ -69,8 +69,8 @@ class OverTurn:
             narrow=self.turn.narrow(kind, sign),
             period=looked.period,
         )
-        if not height > top.height:
-            return top, 0.0
+        if height - top.height <= AS_TYPED * abs(top.height):
+            return top, max(height - top.height, 0.0)
         return Summit(place, height, error, (place,)), height - top.height
 
     @derived
@@ -99,7 +99,7 @@ class OverTurn:
         return Peak(
             force=peak,
             crank_angle=off / (1 + 1 / self.real.mechanism.ratio),
-            pair=int(there[0].argmax()),
+            pair=first_largest(there[0]),
             pair_force=most.tolist(),
             relative_error=(abs(peak - rough) + missed + top.error + unsure) / peak,
             evaluations=len(fine.places) + len(again.places) + turn.evaluations - before,

@@ -17,6 +17,7 @@ from core.drive import engine
 from core.drive.model import Pieces, Springs
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import ElasticMaterial, HertzContact, hertz
+from core.numerics.extremes import first_largest
 from core.output.conformal_law import Curve, conformal_wrap, table_of
 from core.output.drives import output_pieces
 from core.output.elasticity import (
@@ -220,7 +221,7 @@ class RealMechanism(Stage):
             pressure = contacts.governing
             unknown = np.isnan(pressure)
             return int(np.argmax(force if unknown.all() else np.where(unknown, math.inf, pressure)))
-        return int((np.array(force) * self.curved).argmax())
+        return first_largest(np.array(force) * self.curved)
 
     def wraps(self, force: Sequence[float]) -> bool:
         """True if any pair wraps its pin, so that its pressure is not Hertz's."""

@@ -2,12 +2,14 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import chain
 
 import numpy as np
 
 from core.arrays import FloatArray
 from core.numerics.extremes import Narrow, about
+from core.precision import AS_TYPED
 
 ALIKE = 1e-11
 """Relative difference below which two summits of the grid count as equal."""
@@ -104,6 +106,8 @@ def highest(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[Summit, float]
     found = summits(grid=fine, narrow=narrow, top=True)
     rough = summits(grid=coarse, narrow=narrow, known=found, top=True)
     top = max(found, key=_height)
+    equal = [each.alike for each in found if top.height - each.height <= AS_TYPED * abs(top.height)]
+    top = replace(top, alike=tuple(chain.from_iterable(equal)))
     return top, abs(top.height - max(map(_height, rough)))
 
 

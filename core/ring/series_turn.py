@@ -15,6 +15,7 @@ from core.arrays import ComplexArray, FloatArray, check_finite, check_single
 from core.drive import engine
 from core.errors import InvalidInput, Notice, derived, poorly_known
 from core.fields import answer
+from core.numerics.extremes import first_largest
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.over_turn import OverTurn, Peak
@@ -171,7 +172,7 @@ class SeriesOverTurn(OverTurn):
         return Peak(
             force=top.height,
             crank_angle=place,
-            pair=int(there[0].argmax()),
+            pair=first_largest(there[0]),
             pair_force=most.tolist(),
             relative_error=(missed + top.error + unsure) / top.height,
             evaluations=len(fine) + len(again) + turn.evaluations - before,
@@ -183,7 +184,7 @@ class SeriesOverTurn(OverTurn):
         turn, series = self.turn, self.series
         top, _ = self._known("mesh_force", engine.LOBE_FORCE)
         place = min(each % turn.period for each in top.alike)
-        pair = int(turn.poses([place])["teeth"].argmax())
+        pair = first_largest(turn.poses([place])["teeth"][0])
         satellite, pin = divmod(pair, series.ring.disc.pins)
         loaded = turn.fine["mesh_loaded"]
         return RingTurn(

@@ -16,6 +16,7 @@ from core.drive.model import Pieces
 from core.errors import Accuracy, ImpossibleMechanism, InvalidInput, Notice, derived, poorly_known
 from core.fields import answer, answered
 from core.hertz import ElasticMaterial, effective_modulus
+from core.numerics.extremes import first_largest
 from core.output.contact_force import PairNumber
 from core.output.elasticity import (
     RIGID_PINS,
@@ -383,7 +384,7 @@ class MeshTurn(OverTurn):
         room = self.mesh.solved([place], turn.torque)
         pairs = room.contacts(engine.LOBE)
         pressed = room.forces[0, pairs] * room.work.w[pairs, engine.BENT]
-        satellite, pin = divmod(int(pressed.argmax()), self.mesh.disc.pins)
+        satellite, pin = divmod(first_largest(pressed), self.mesh.disc.pins)
         return PairNumber(satellite + 1, pin + 1), place % self._period
 
     @property

@@ -346,3 +346,25 @@ def test_what_is_largest_over_the_turn_is_so_within_its_error(case):
         most, error = arcmin * found.lost_motion, arcmin * found.lost_motion * SEARCHED
     assert most + error >= max(highest, case["least"] * (1 - 1e-6))
     assert error < 4e-3 * most
+
+
+CORPUS = json.loads((Path(__file__).parents[1] / "corpus/requests.json").read_text())
+
+
+async def test_of_two_directions_that_press_alike_the_first_is_named(api):
+    """Perfect parts are pressed alike by both."""
+    alike = [
+        each["body"]
+        for each in CORPUS
+        if each["path"] == "crank-planetary"
+        and each["body"].get("load", {}).get("torque_direction") == "alternating"
+        and each["body"].get("gear", {}).get("kind") != "cycloid"
+        and "hole_clearance_mm" in each["body"]["contact"]
+        and not {"deviations", "satellite_body"} & each["body"].keys()
+    ]
+    assert len(alike) > 4
+    for body in alike:
+        answer = (
+            await api.post("crank-planetary", json=body | {"include": ["load_sharing"]})
+        ).json()
+        assert answer["load_sharing"]["torque_direction"] == "driving", body
