@@ -227,6 +227,8 @@ async def test_where_the_torque_alternates_the_worse_is_given(api, support):
     for one, two, found in zip(*[each["positions"] for each in (driving, reverse, both)],
                                strict=True):  # fmt: skip
         way = found.pop("torque_direction")
+        pressed = [each.pop("max_pressure_MPa") for each in (one, two, found)]
+        assert pressed[2] == pytest.approx(max(pressed), rel=SAME)
         assert found == {"driving": one, "reverse": two}[way]
         highest = [max(map(max, each["force_N"])) for each in (one, two, found)]
         assert highest[2] >= max(highest) * (1 - 1e-8)
