@@ -1,12 +1,13 @@
 """Pin as a section of a design: beam and material."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, ClassVar
 
-from app.calculations.hertz import Material
+from app.calculations.hertz import Material, material_of
 from app.fields import SectionFields
 from app.model import Maybe, Size, quantity
 from app.rules import Forms, Kinds
+from app.units import Convert
 from core.design.sections import DesignPin
 from core.errors import Notice
 from core.output.pin_beam import Support
@@ -17,6 +18,7 @@ class PinBoltFields(SectionFields, of=PinBolt, group="pin"):
     """Bolt through the pin, which is a spacer then."""
 
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("preload_N",), ("tightening_torque_Nm",), ()),)
+    CONVERTERS: ClassVar[Mapping[str, Convert]] = {"bolt_material": material_of}
 
     tightening_torque_Nm: Maybe[Size] = quantity("Tightening torque", "T_A", step=0.5)
     """Tightening torque, given instead of the preload, which is T_A/(0.2·d)."""

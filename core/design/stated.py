@@ -77,7 +77,7 @@ def material(stated: str | ElasticMaterial) -> ElasticMaterial:
 def filled(*, kind: Any, stated: Values) -> dict[str, Any]:
     """Values that are taken for those that are not stated: of a bearing's name, and materials."""
     usual: dict[str, Any] = {}
-    if stated.get("name"):
+    if stated.get("name") is not None:
         usual = _catalogued(kind, stated["name"])
     if kind is not InvoluteRing or stated.keys() >= PROFILE_SHIFTS:
         usual |= USUAL_MATERIALS.get(kind, {})

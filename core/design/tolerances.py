@@ -210,7 +210,7 @@ class ToleranceSection:
         said = self.guides(fit)
         if fit:
             of_hole, of_pin = fit.split("/")
-            classes: dict[Part, str] = {"hole": of_hole, "pin": of_pin}
+            classes: dict[Part, str] = {"pin": of_pin, "hole": of_hole}
             for part, size in classes.items():
                 name = f"{part}_diameter"
                 if given := getattr(self, name):

@@ -623,3 +623,40 @@ async def test_real_curves_are_at_their_angles(api):
     path, body = single("satellite_bearing", design)
     across = (await api.answer(f"{path}/chart", body))["data"][0]["x"]
     assert max(across) < 0  # in reverse
+
+
+@pytest.mark.parametrize("section", ["bearing", "rollers", "crankshaft"])
+async def test_a_bearing_without_a_name_is_refused_at_its_name(api, section):
+    body = {"mechanism": {"pins": 6, "satellites": 2, "ratio": 20}}
+    named = {"name": ""}
+    if section == "crankshaft":
+        named = {
+            "satellite_positions_mm": [20, 40],
+            "bearing_positions_mm": [0, 60],
+            "bearings": [named, named],
+        }
+    answer = await api.post("fit", json=body | {section: named})
+    assert answer.status_code == 422
+    assert "no_such_bearing" in {each["code"] for each in answer.json()["errors"]}
+
+
+async def test_a_bolt_of_values_is_one_of_its_table_row(api):
+    body = {
+        "mechanism": {"pins": 6, "satellites": 2, "ratio": 20},
+        "load": {"output_torque_Nm": 200, "pin_circle_radius_mm": 50},
+        "pin": {
+            "satellite_positions_mm": [10, 30],
+            "support": "cantilever",
+            "diameter_mm": 16,
+            "contact_length_mm": 12,
+            "material": "steel_through_hardened",
+            "bolt": {"core_diameter_mm": 6.5, "preload_N": 9000},
+        },
+    }
+    answers = []
+    for material in ("steel_structural", {"name": "steel_structural"}):
+        body["pin"]["bolt"]["bolt_material"] = material
+        answer = await api.post("pin-strength", json=body)
+        assert answer.status_code == 200, answer.text
+        answers.append(answer.json()["bolt"])
+    assert answers[0] == answers[1]

@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import example, given
+from hypothesis import example, given, reject
 from hypothesis import strategies as st
 
 from core.drive import engine
+from core.errors import ImpossibleMechanism
 from core.output.elasticity import (
     CrankSupport,
     ElasticMesh,
@@ -330,6 +331,10 @@ def is_the_same_from_another_pin(stage: Any, angle: float, torque: float) -> Non
 
 @given(case=OUTPUTS)
 def test_output_pins_renumbered(case: Case) -> None:
+    try:
+        position(*case)
+    except ImpossibleMechanism:  # a dead centre within rounding
+        reject()
     is_the_same_from_another_pin(*case)
 
 

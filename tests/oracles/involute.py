@@ -195,7 +195,7 @@ def _root(pair):
     tip = mp.acos(r_b / r_a)
     half = _thickness(r_a, teeth=z, m=m, x=mpf(pair.x_s), alpha=alpha) / (2 * r_a)
     return {
-        "chord": 2 * abs(mp.re(own)),
+        "root_chord": 2 * abs(mp.re(own)),
         "fillet_radius": 1 / curvature,
         "load_angle": tip - half,
         "moment_arm": r_b / mp.cos(tip - half) - mp.im(own),

@@ -265,12 +265,12 @@ export function createDrawing({ input, answer, curves, width, height }) {
   const bar = roundBelow(m.radius, "mm");
   const names = m.pairs.map(({ satellite, pin }) => `${satellite}.${pin}`);
   const usual = most ? names.indexOf(`${most.satellite}.${most.pin}`) : 0;
-  /** Which pairs drive at a crank angle, and their forces; of the real ones those drive that have a force. */
+  /** Which pairs drive at a crank angle, and their forces; of the real ones those drive whose force would be seen. */
   const loadsAt = (angle) => {
     const driving = drivingAt(m, angle);
     const force = forcesAt(m, curves, angle, real ? null : driving);
     if (force && angle === at) force[usual] = peak; // which lies between two points of the curve
-    return { driving: real && force ? force.map((one) => one > 0) : driving, force };
+    return { driving: real && force ? force.map((one) => one > 1e-6 * peak) : driving, force };
   };
   const scales = [
     scaleBar([12, height - 14], view.size(bar), mm(bar)),
