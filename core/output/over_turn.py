@@ -169,7 +169,7 @@ class OverTurn:
             pair = self.real.hardest_pair(forces)
             return pair, forces[pair]
         most = [*self._peak.pair_force]
-        most[self._peak.pair] *= 1 + AS_TYPED  # pair with the peak first among equals
+        most[self._peak.pair] *= 1 + 2 * AS_TYPED  # pair with the peak first among equals
         pair = self.real.hardest_pair(most)
         force = self._peak.pair_force[pair]
         contact = self.real.contact(pair, force)
