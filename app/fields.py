@@ -27,7 +27,17 @@ from pydantic import AfterValidator, BeforeValidator, model_validator
 from pydantic import Field as Limits
 from pydantic.fields import FieldInfo
 
-from app.model import NO_DUST, Maybe, RequestModel, Values, core_names, no_dust, quantity, whole
+from app.model import (
+    LIST,
+    NO_DUST,
+    OPTIONAL,
+    RequestModel,
+    Values,
+    core_names,
+    no_dust,
+    quantity,
+    whole,
+)
 from app.rules import Rule, field_error
 from app.units import Convert, from_si, refusal_params
 from core.design.stated import filled as filled_by_core
@@ -38,9 +48,7 @@ from core.fields import Input, help_of
 Request = TypeVar("Request", bound=RequestModel)
 
 LIMITED: Any = Annotated
-OPTIONAL: Any = Maybe
-LIST: Any = list
-"""Generic types of annotations that are made at import."""
+"""Generic type of annotations that are made at import."""
 
 
 class JsonForm(NamedTuple):

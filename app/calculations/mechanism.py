@@ -51,8 +51,6 @@ OF_RINGS = ("ratio", "satellite_teeth", "ring_teeth", "crank_spacing_deg", "cran
 class MechanismFields(SectionFields, of=MechanismSection, group="mechanism"):
     """Pins, satellites, cranks and ratio."""
 
-    WITHIN: ClassVar[bool] = False
-
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
         (("ratio",), ("output_ratio",), ("satellite_teeth", "ring_teeth"), ()),
         (("crank_spacing_deg",), ("crank_angles_deg",), ()),

@@ -207,6 +207,10 @@ PLACE = 1e-10
 FLAT = 1e-10
 """Fall from a summit to the places on both sides, over its height, at which `narrow` ends."""
 
+BESIDE = 0.1
+"""Distance of a summit from the best place, over the gap between places, below which the next place
+is beyond the summit, so that places close to it stand on both sides."""
+
 CLOSE_BY = 1e4
 """Fall over that at the end of `narrow` from which the next place is nearer by the root of both."""
 
@@ -1737,11 +1741,11 @@ def narrow(
     while True:
         side = 1 if y[1] < y[3] else 3
         near, fall = FLAT * abs(y[2]), y[2] - y[side]
-        if fall <= near or x[3] - x[1] <= PLACE:
+        if not (fall > near and x[3] - x[1] > PLACE and looks < HALVINGS):
             return x[2], sign * y[2], fall, looks
         there, height = summit(x, y)
-        towards = x[3] if there > x[2] else x[1]
-        closing, beyond = height <= y[2] + near / 2, abs(there - x[2]) < 0.1 * abs(towards - x[2])
+        gap = (x[3] if there > x[2] else x[1]) - x[2]
+        closing, beyond = height <= y[2] + near / 2, abs(there - x[2]) < BESIDE * abs(gap)
         guessed = expected and (closing or abs(there - x[2]) > 0)
         if not guessed:
             wider = 3 if x[3] - x[2] > x[2] - x[1] else 1

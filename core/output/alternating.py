@@ -6,16 +6,11 @@ from typing import Any
 
 from core.arrays import FloatArray
 from core.errors import Accuracy, Notice
+from core.numerics.extremes import first_largest
 from core.output.loaded_position import loaded_position
 from core.output.over_turn import OverTurn
 from core.output.real_curves import RealCurves, real_curves
 from core.output.stage import Stage
-from core.precision import AS_TYPED
-
-
-def _reverse(driving: float, reverse: float) -> bool:
-    """True if the reverse torque has the larger force; of equal forces the driving one counts."""
-    return reverse > driving * (1 + AS_TYPED)
 
 
 def worse_position(
@@ -46,7 +41,7 @@ def worse_position(
         position(real=real, crank_angle=crank_angle, output_torque=sign * output_torque)
         for sign in (1, -1)
     )
-    reverse = _reverse(max(map(max, driving.force)), max(map(max, back.force)))
+    reverse = first_largest([max(map(max, each.force)) for each in (driving, back)]) == 1
     worse, other = (back, driving) if reverse else (driving, back)
     return replace(worse, contacts=worse.contacts + other.contacts), reverse
 
@@ -63,7 +58,7 @@ def worse_curves(
         real_curves(real=real, crank_angle=crank_angle, output_torque=sign * output_torque)
         for sign in (1, -1)
     )
-    reverse = _reverse(float(driving.force.max()), float(back.force.max()))
+    reverse = first_largest([driving.force.max(), back.force.max()]) == 1
     return (back if reverse else driving), reverse
 
 
@@ -88,7 +83,7 @@ class WorseTurn:
     """
 
     def __init__(self, driving: OverTurn, back: OverTurn) -> None:
-        self.reverse = _reverse(driving.peak_force, back.peak_force)
+        self.reverse = first_largest([driving.peak_force, back.peak_force]) == 1
         """True if the peak force is that of the reverse torque."""
         self.worse, self.other = (back, driving) if self.reverse else (driving, back)
 

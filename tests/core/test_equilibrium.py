@@ -265,7 +265,7 @@ def gives_the_crank_what_it_takes(stage: Any, angle: float, torque: float) -> No
     before, after = (potential(stage, angle + off, torque)[0] for off in (-step, step))
     expected = torque / ratio(stage) + (after - before) / (2 * step)
     on_crank = potential(stage, angle, torque)[1]
-    assert on_crank == pytest.approx(expected, rel=0, abs=1e-6 * abs(torque))
+    assert on_crank == pytest.approx(expected, rel=0, abs=1e-7 * abs(torque))
 
 
 @pytest.mark.parametrize("seed", seeds(6))

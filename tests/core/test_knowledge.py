@@ -130,7 +130,7 @@ LAYERED = [name for name in SOFT if spread(MATERIALS[name], "strength_in_plane")
 
 
 @pytest.mark.parametrize("name", LAYERED)
-@pytest.mark.parametrize("seed", seeds(8, 42))
+@pytest.mark.parametrize("seed", seeds(20, 42))
 def test_a_plastic_pin_that_bends_is_judged_no_milder(name: str, seed: int) -> None:
     random, entry = Random(f"bent {name} {seed}"), MATERIALS[name]
     strength = random.uniform(*spread(entry, "strength_in_plane"))  # type: ignore[misc]

@@ -2,6 +2,7 @@
 
 import math
 import random
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -64,3 +65,10 @@ def test_a_kink_between_bent_sides_is_found_in_few_looks(seed: int) -> None:
         assert 0 <= 5.0 - height <= 2 * FLAT * height and error <= FLAT * height
         assert place == pytest.approx(tip, abs=1e-2)
         assert narrow.looks <= near
+
+
+@pytest.mark.parametrize("value", [lambda x: math.nan, lambda x: math.sin(1e9 * x)])
+def test_a_search_ends_whatever_the_function_is(value: Callable[[float], float]) -> None:
+    narrow = narrowing(value)
+    narrow(np.arange(-2.0, 3.0), np.array([0.0, 0.0, 1.0, 0.0, 0.0]))
+    assert narrow.looks <= 200
