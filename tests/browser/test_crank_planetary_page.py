@@ -510,6 +510,17 @@ def test_stale_numbers_are_greyed_and_late_answers_dropped(page: Page, service: 
     assert result(page, "peak_force_N") == pytest.approx(1538.46, abs=5e-3)
 
 
+def test_no_tick_stays_green_beside_a_wrong_input(page: Page, service: str) -> None:
+    page.goto(service)
+    tick = page.locator(".chip .mark.good").first
+    expect(tick).to_be_visible()
+    colour = "e => getComputedStyle(e).color"
+    green = tick.evaluate(colour)
+    box(page, "mechanism.pins").fill("0")
+    settled(page, "wrong")
+    assert tick.evaluate(colour) == page.locator(".numbers *").first.evaluate(colour) != green
+
+
 def test_controls_wait_for_the_first_answer(page: Page, service: str) -> None:
     show(page, service, ZYL | {"mechanism.pins": "0"}, state="wrong")
     controls = page.locator(
