@@ -58,7 +58,10 @@ def test_a_kink_between_bent_sides_is_found_in_few_looks(seed: int) -> None:
     def smooth(x: float) -> float:
         return 5 + up * (-(((x - tip) / 100) ** 2) + skew * ((x - tip) / 100) ** 3)
 
-    for value, near in ((kinked, 22), (smooth, 12)):
+    def parabola(x: float) -> float:
+        return 5 - up * ((x - tip) / 100) ** 2
+
+    for value, near in ((kinked, 22), (smooth, 12), (parabola, 6)):
         places = np.arange(-2.0, 3.0)
         narrow = narrowing(value)
         place, height, error = narrow(places, np.array([*map(value, places)]))
