@@ -51,6 +51,8 @@ OF_RINGS = ("ratio", "satellite_teeth", "ring_teeth", "crank_spacing_deg", "cran
 class MechanismFields(SectionFields, of=MechanismSection, group="mechanism"):
     """Pins, satellites, cranks and ratio."""
 
+    WITHIN: ClassVar[bool] = False  # not that of a load whose fields a request has beside these
+
     ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
         (("ratio",), ("output_ratio",), ("satellite_teeth", "ring_teeth"), ()),
         (("crank_spacing_deg",), ("crank_angles_deg",), ()),
