@@ -305,20 +305,11 @@ def first_yield_factor(*, half_angle: Number, poissons_ratio: Number, beta: Numb
 
     Michell's stresses of each harmonic are summed in closed form along the axis of the load, which
     has the largest stress: below the surface of narrow contacts, on the rim from about 45 degrees
-    on and for nu < 0.15. The pin, whose load is balanced inside its section, yields later.
+    on and for nu < 0.15. The pin, whose load is balanced inside its section, yields later. The
+    half-angle eps of the contact goes from 0 (Hertz) to `WIDEST`, Poisson's ratio is that of the
+    hole's material. Dundurs' beta is left out below the surface: an error of 1.4 % at most, 0.3 %
+    for |beta| = 0.2.
 
-    Parameters
-    ----------
-    half_angle : float or array
-        eps of the contact, rad, from 0 (Hertz) to `WIDEST`.
-    poissons_ratio : float or array
-        nu of the hole's material.
-    beta : float or array
-        Dundurs' constant, left out below the surface: an error of 1.4 % at most, 0.3 % for
-        |beta| = 0.2.
-
-    Examples
-    --------
     >>> [round(first_yield_factor(half_angle=math.radians(each), poissons_ratio=0.3), 2)
     ...  for each in (0.0, 20.0, 60.0)]
     [1.79, 1.54, 1.04]

@@ -125,20 +125,10 @@ def reliability_factor(*, percent: float) -> float:
 def notch_factor(*, theoretical_factor: Number, radius: Number, tensile_strength: Number) -> Number:
     """Fatigue notch factor ``Kf = 1 + (Kt - 1)/(1 + sqrt(a/r))`` (Neuber) of steel in bending.
 
-    ``sqrt(a) = 1.24 - 2.25e-3*Rm + 1.60e-6*Rm^2 - 4.11e-10*Rm^3``, sqrt(mm), Rm in MPa.
-    Source: Shigley, eqs. (6-33), (6-35) of the 11th edition.
+    ``sqrt(a) = 1.24 - 2.25e-3*Rm + 1.60e-6*Rm^2 - 4.11e-10*Rm^3``, sqrt(mm), Rm in MPa. Source:
+    Shigley, eqs. (6-33), (6-35) of the 11th edition. Kt, the factor of the elastic stress, is at
+    least 1; the radius r is in m, Rm in Pa, clipped to `NOTCH_STRENGTHS`.
 
-    Parameters
-    ----------
-    theoretical_factor : float or array
-        Factor Kt of the elastic stress, >= 1.
-    radius : float or array
-        Radius r of the notch, m.
-    tensile_strength : float or array
-        Tensile strength Rm, Pa; clipped to `NOTCH_STRENGTHS`.
-
-    Examples
-    --------
     >>> round(notch_factor(theoretical_factor=1.65, radius=0.003, tensile_strength=690e6), 6)
     1.550182
     """

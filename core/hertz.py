@@ -650,17 +650,9 @@ def force_factor(
 
     Hertz's pressure grows with the root of the force, a conformal one faster, up to the force
     itself. The governing pressure jumps by one per cent where the conformal one takes over. The
-    load per length is found from ``P/lambda = p*R_m/(E* dR)``, which grows with it.
-
-    Parameters
-    ----------
-    contact : HertzContact
-        The contact under its force.
-    contact_at : callable
-        Contact under a multiple of the force, by that multiple.
-    limit : float
-        The limit, Pa, > 0; if the widest known contact stays below it, that contact's factor is
-        returned.
+    load per length is found from ``P/lambda = p*R_m/(E* dR)``, which grows with it. `contact_at`
+    gives the contact under a multiple of the force. If the widest known contact stays below the
+    limit, Pa, the factor of that contact is returned.
     """
     ratio = float(limit / contact.max_pressure)
     by_hertz = ratio**2

@@ -44,20 +44,10 @@ def share_load(*, total: Number, stiffness: Number, gaps: Sequence[Number]) -> L
     The contacts are closed in the order of their gaps: to close the next gap, m closed contacts
     move by the difference of the gaps and use up m times as much of the approach ``total/c``. The
     remainder is shared evenly. No iteration is needed, and no large numbers cancel. Source:
-    Ovsyannikov et al. 2019, eq. (5), for any gaps instead of ``0, 4*chi, ..., 4*chi``.
+    Ovsyannikov et al. 2019, eq. (5), for any gaps instead of ``0, 4*chi, ..., 4*chi``. The total is
+    in N, >= 0, the stiffness c of one contact in N/m, > 0, gaps are in m: forces depend on their
+    differences only, so that gaps may be negative.
 
-    Parameters
-    ----------
-    total : float or array
-        Sum of the forces, N, >= 0.
-    stiffness : float or array
-        Stiffness c of one contact, N/m, > 0.
-    gaps : sequence of float or array
-        Gap g_i of each contact, m, at least one; forces depend on differences only, so that gaps
-        may be negative.
-
-    Examples
-    --------
     The first of four rollers is 10 um ahead of the others and carries 1 N/um times 10 um more.
 
     >>> sharing = share_load(total=70.0, stiffness=1e6, gaps=[0.0, 1e-5, 1e-5, 1e-5])

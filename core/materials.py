@@ -205,22 +205,10 @@ def by_values(
 ) -> ElasticMaterial:
     """Material by values; `InvalidInput` if E or v is unknown.
 
-    Parameters
-    ----------
-    base : TableMaterial
-        Material that supplies the values not given; an unlisted one with a modulus below `SOFT` is
-        a plastic.
-    tensile_strength, yield_strength : float, optional
-        Rm and Re, Pa; of a plastic the smaller one counts, in the direction that `layers` names.
-    layers : {"flat", "upright"}, optional
-        Direction of the layers of a printed plastic.
-    long_term_factor : float, optional
-        Long-term strength over that of a short test.
-    **moduli : float
-        `youngs_modulus` E, Pa, and `poissons_ratio` v.
+    The base supplies the values not given; an unlisted one with a modulus below `SOFT` is a
+    plastic. Of the strengths Rm and Re of a plastic, Pa, the smaller one counts, in the direction
+    that `layers` names. `moduli` are Young's modulus E, Pa, and Poisson's ratio v.
 
-    Examples
-    --------
     >>> own = by_values(youngs_modulus=2.5e9, poissons_ratio=0.38, tensile_strength=44e6)
     >>> own.loaded_strength("hole"), own.loaded_strength("pin")
     (44000000.0, None)

@@ -134,18 +134,11 @@ class Kind:
     ) -> "Check":
         """Check of a value against its limit; `more` sets further attributes.
 
-        Parameters
-        ----------
-        reserve : float, optional
-            Factor on the torque at which the value is at its limit.
-        error : float
-            Relative error of value and model. A limit within the error makes the check marginal. An
-            infinite error leaves it unchecked, as does an error of 1 or more with a smaller limit.
-        warning : str
-            Reason of a failure that is only a warning.
+        The reserve is the factor on the torque at which the value is at its limit. A limit within
+        the relative error of value and model makes the check marginal; an infinite error leaves it
+        unchecked, as does an error of 1 or more with a smaller limit. A warning is the reason of a
+        failure that is only a warning.
 
-        Examples
-        --------
         >>> from core.checks.records import CHECKS
         >>> CHECKS["pin_static"].judged(90.0, 100.0, reserve=1.2).status
         'pass'
@@ -331,15 +324,9 @@ class Unjudged(NotKnown):
 
 def judged_by(given: Given | None, code: str, *missing: str, **known: Any) -> Given:
     """Limit, or another input needed for judging, if it is given; otherwise raise `Unjudged`.
-
-    Parameters
-    ----------
-    code : str
-        Reason, a key of `core.codes.CODES`.
-    *missing : str
-        Core names of the inputs that are not given.
-    **known
-        Attributes of the check that are known, such as its value, or a status of `not_asked`.
+    `code` is the reason, a key of `core.codes.CODES`, `missing` the core names of the inputs that
+    are not given, `known` attributes of the check that are known, such as its value, or a status of
+    `not_asked`.
     """
     if given is None:
         raise Unjudged(code, *missing, **known)
@@ -351,13 +338,9 @@ def over_range(
 ) -> Check:
     """Necessary condition of a material, judged over the range of values that sources state.
 
-    Parameters
-    ----------
-    least, most : callable
-        Check by the least value (`NotKnown` if there is none), and by the largest, or by a bound
-        that no such material exceeds. The check fails only if both fail.
-    values : mapping
-        Ranges of values that are not given, by path.
+    The check fails only if it fails by the least value (`NotKnown` if there is none) and by the
+    largest, or by a bound that no such material exceeds. `values` are the ranges of values that are
+    not given, by path.
     """
     differ = tuple(path for path, each in values.items() if each.low < each.high)
     try:
@@ -483,21 +466,10 @@ def verdict(
     unknown: bool = False,
     once: bool = False,
 ) -> Verdict:
-    """Verdict of checks.
+    """Verdict of checks. Verdicts of the parts of a reducer determine it; other gears have none.
+    `unknown` says that a torque below all known limits may be too much, `once` that known limits
+    hold for loads that act once only, as for plastics.
 
-    Parameters
-    ----------
-    not_considered : tuple of str
-        Keys of `NOT_CONSIDERED`.
-    parts : tuple of PartVerdict
-        Verdicts of the parts of a reducer, which determine the verdict; empty for other gears.
-    unknown : bool
-        True if a torque below all known limits may be too much.
-    once : bool
-        True if known limits hold for loads that act once only, as for plastics.
-
-    Examples
-    --------
     >>> from core.checks.records import CHECKS
     >>> pin_fatigue, pin_static = CHECKS["pin_fatigue"], CHECKS["pin_static"]
     >>> passing = pin_static.judged(50.0, 100.0, reserve=2.0)

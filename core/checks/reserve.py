@@ -47,20 +47,12 @@ DOUBTS = ("pressure_error", "shakedown_unknown", *BY_RANGE)
 def crank_verdict(results: Results, *, largest: bool = False) -> Verdict:
     """Verdict of a crank-planetary reducer under its torque and under `MARGIN` times its torque.
 
-    Parameters
-    ----------
-    largest : bool
-        True searches for the torque at which the first check fails. For solved forces the torque
-        reserve is known only then: the largest torque tried that holds, with a failing one at most
-        `NEAR` times larger, or `KNOWN` times at a jump.
-
-    Returns
-    -------
-    Verdict
-        A check with solved forces that fails, or is not known, under `MARGIN` times the torque is
-        marginal. If forces cannot be solved or a contact wraps around its pin, a check that fails
-        under less torque fails; this is not tried for discs in series on unlike pins, which takes
-        long.
+    A check with solved forces that fails, or is not known, under `MARGIN` times the torque is
+    marginal. If forces cannot be solved or a contact wraps around its pin, a check that fails under
+    less torque fails; this is not tried for discs in series on unlike pins, which takes long. True
+    for `largest` searches for the torque at which the first check fails. For solved forces the
+    torque reserve is known only then: the largest torque tried that holds, with a failing one at
+    most `NEAR` times larger, or `KNOWN` times at a jump.
     """
     torques = _judged(results)
     found = torques.found

@@ -251,18 +251,10 @@ def reaction_curves(
     bearing_positions: tuple[float, float],
     unbalanced: ComplexArray = STILL,
 ) -> ReactionCurves:
-    """Reactions of the crankshaft's bearings to given loads of the satellites' bearings.
-
-    Parameters
-    ----------
-    loads : BearingCurves
-        Loads without centrifugal forces, see `core.crank.satellite_bearing.bearing_curves`.
-    crank_angles, satellite_positions : tuple of float
-        Angle of each satellite's crank, rad, and its middle plane z along the shaft, m.
-    bearing_positions : tuple of float
-        Places A and B of the bearings, m.
-    unbalanced : array, shape (2,)
-        Reactions to the unbalance, N, which are added.
+    """Reactions of the crankshaft's bearings to given loads of the satellites' bearings. The loads
+    are without centrifugal forces, see `core.crank.satellite_bearing.bearing_curves`; angles of
+    cranks are in rad, places along the shaft in m, A and B those of the bearings. `unbalanced` are
+    reactions to the unbalance, N, shape (2,), which are added.
     """
     load = (loads.along + 1j * loads.across) * _cranks(crank_angles)
     held = carried(positions=satellite_positions, bearings=bearing_positions)

@@ -86,15 +86,8 @@ def cycloid_mesh(
     ``rho = -(2 - (1 - K^2)/K*ln((1 + K)/(1 - K)))/(pi*K)``, ``K = e*(u + 1)/R_ring``, derived for
     many ring pins that share like linear contacts; a drive of kubakos with 30 pins has -0.351049 by
     its sum and -0.343755 by this limit. `InvalidInput` is raised if K >= 1, as no such cycloid
-    exists.
+    exists. A difference of ring pins and lobes above 1 gives a notice.
 
-    Parameters
-    ----------
-    difference : int, optional
-        Ring pins less lobes of a satellite; above 1 the result has a notice.
-
-    Examples
-    --------
     >>> mesh = cycloid_mesh(eccentricity=2e-3, ratio=20.0, ring_pin_circle_radius=0.084)
     >>> round(mesh.radial_force_ratio, 7)
     -0.2241421

@@ -435,13 +435,9 @@ class MadeParts:
 def made_parts(*, turn: SampledTurn, arm: float, radial_force_ratio: float) -> MadeParts:
     """Forces on the satellites of a mechanism as made, by the forces of the pins over a turn.
 
-    Parameters
-    ----------
-    arm : float
-        Lever ``e*u`` of the ring's force about the satellite's centre, m.
-    radial_force_ratio : float
-        Ratio rho of the ring's force along the crank to the size of that across it, as teeth press
-        apart on either flank; not used if the mesh of the ring is solved.
+    The ring's force has the lever ``arm = e*u`` about the satellite's centre, m. Along the crank it
+    is rho times the size of that across it, as teeth press apart on either flank, unless the mesh
+    of the ring is solved.
     """
     if turn.of_ring is not None:
         along, turned = (turn.mean(each).sum() for each in (turn.of_ring.real, turn.of_ring.imag))

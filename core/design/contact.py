@@ -70,20 +70,10 @@ class Contact:
     ) -> Self:
         """Contact whose hole follows from pin, eccentricity and clearance if it is not given.
 
-        Parameters
-        ----------
-        hole_clearance : float, optional
-            Radial clearance, m, negative for interference.
-        fit : str
-            ISO 286 classes of hole and pin, whose mean clearance is taken if none is given.
-        **others
-            Further fields.
-
-        Raises
-        ------
-        InvalidInput
-            If the fit does not exist for the sizes, hole and clearance disagree, or the clearance
-            is smaller than any that is made.
+        A radial clearance, m, is negative for interference. If none is given, the mean clearance of
+        the fit, ISO 286 classes of hole and pin, is taken. `InvalidInput` is raised if the fit does
+        not exist for the sizes, hole and clearance disagree, or the clearance is smaller than any
+        that is made.
         """
         pin, crank = pin_radius or 0.0, eccentricity or 0.0
         clearance = _of_fit(fit, pin, crank) if fit else hole_clearance

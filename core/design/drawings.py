@@ -99,15 +99,9 @@ class DrawnMesh:
 
 
 def drawn_disc(*, design: Design) -> CycloidDisc:
-    """Cycloid disc of a design.
-
-    Raises
-    ------
-    NotKnown
-        If a size, the number of lobes or the modification is not known, or the difference of teeth
-        is above 1.
-    InvalidInput
-        If the ring has no pins, the disc cannot exist or its flanks are rotated.
+    """Cycloid disc of a design. `NotKnown` is raised if a size, the number of lobes or the
+    modification is not known, or the difference of teeth is above 1; `InvalidInput` if the ring has
+    no pins, the disc cannot exist or its flanks are rotated.
     """
     gear = design.gear
     if gear.kind != "cycloid":
@@ -125,16 +119,9 @@ def drawn_disc(*, design: Design) -> CycloidDisc:
 
 
 def drawn_pair(*, design: Design) -> InvolutePair:
-    """Involute teeth of a design.
-
-    Raises
-    ------
-    NotKnown
-        If a size, a profile shift or a tooth height is not known.
-    InvalidInput
-        If no such teeth exist.
-    ImpossibleMechanism
-        If the method does not cover such teeth.
+    """Involute teeth of a design. `NotKnown` is raised if a size, a profile shift or a tooth height
+    is not known, `InvalidInput` if no such teeth exist, `ImpossibleMechanism` if the method does
+    not cover them.
     """
     try:
         return Results(design).ring.pair
@@ -180,22 +167,11 @@ def drawn_satellites(
 ) -> tuple[DrawnSatellite, ...]:
     """Satellites of a design as they are drawn, without holes if no pins are given.
 
-    Parameters
-    ----------
-    numbers : tuple of int
-        Numbers of the satellites, from 1.
-    chord_error : float
-        Largest distance of an outline from the polygon of its points, m.
-
-    Raises
-    ------
-    NotKnown
-        If a size is not known.
-    InvalidInput
-        If the disc cannot exist, is undercut, its holes break out of it, or all outlines need more
-        than `core.ring.profile.MOST_POINTS` points.
-    ImpossibleMechanism
-        See `core.ring.tooth_outline.satellite_outline`.
+    Satellites are numbered from 1; the chord error is the largest distance of an outline from the
+    polygon of its points, m. `NotKnown` is raised if a size is not known; `InvalidInput` if the
+    disc cannot exist, is undercut, its holes break out of it, or all outlines need more than
+    `core.ring.profile.MOST_POINTS` points; `ImpossibleMechanism` as by
+    `core.ring.tooth_outline.satellite_outline`.
     """
     involute = design.gear.kind == "involute"
     most = MOST_POINTS // len(numbers)
@@ -259,14 +235,9 @@ def drawn_ring_pins(*, design: Design) -> DrawnRingPins:
 def drawn_ring(*, design: Design, chord_error: float) -> DrawnRing:
     """Involute ring of a design as it is drawn; `chord_error` in m as in `drawn_satellites`.
 
-    Raises
-    ------
-    NotKnown
-        If a size, a profile shift or a tooth height is not known.
-    InvalidInput
-        If no such teeth exist, or the outline needs too many points.
-    ImpossibleMechanism
-        See `core.ring.tooth_outline.ring_outline`.
+    `NotKnown` is raised if a size, a profile shift or a tooth height is not known; `InvalidInput`
+    if no such teeth exist, or the outline needs too many points; `ImpossibleMechanism` as by
+    `core.ring.tooth_outline.ring_outline`.
     """
     pair, start = drawn_pair(design=design), design.mechanism.initial_crank_angle
     pitch = named(design, "gear", lambda: ring_outline(pair=pair, chord_error=chord_error))

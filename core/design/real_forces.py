@@ -32,12 +32,7 @@ class RealForces:
         pressure.
 
         `turn` gives the extremes of a mechanism with materials, of a torque in N*m, negative in
-        reverse.
-
-        Raises
-        ------
-        ImpossibleMechanism
-            If there is no equilibrium; see `core.output.real_mechanism.RealMechanism.solved`.
+        reverse. `ImpossibleMechanism` is raised as by `Stage.solved`.
         """
         ways = WAYS[direction]
         turns = {way: turn(way * torque) for way in ways}

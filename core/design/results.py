@@ -292,12 +292,8 @@ class Results:
             raise self.fit.refusal()
 
     def real_forces_at(self, factor: float) -> RealForces:
-        """Solved forces under the torque times a factor > 0.
-
-        Raises
-        ------
-        ImpossibleMechanism
-            If there is no equilibrium; see `core.output.real_mechanism.RealMechanism.solved`.
+        """Solved forces under the torque times a factor > 0. `ImpossibleMechanism` is raised as by
+        `Stage.solved`.
         """
         self._refuse_misfits()
         load = self.design.load

@@ -81,21 +81,9 @@ def zoom(
 
     The best of 17 points about each place is the centre of as many closer points, eight times. The
     error is the fall from the height to the lower one of the last neighbouring points, which bounds
-    a cusp between them.
+    a cusp between them. `places` are the centres of the search, `width` is its half width about
+    each, `low` and `high` are limits of the places.
 
-    Parameters
-    ----------
-    values : callable
-        Values at places, shape (m,).
-    places : array, shape (n,)
-        Centres of the search.
-    width : float or array, shape (n,)
-        Half width of the search about each centre.
-    low, high : float
-        Limits of the places.
-
-    Examples
-    --------
     >>> cusp = lambda x: -np.abs(x - 1)
     >>> place, height, error = zoom(values=cusp, places=np.array([0.8]), width=0.5)
     >>> bool(abs(place[0] - 1) < 1e-7 and -error[0] <= height[0] <= 0 and error[0] < 1e-7)
@@ -125,19 +113,9 @@ def second_look(
 ) -> tuple[float, float, float]:
     """Place, height and error of the largest value that a second look finds.
 
-    Parameters
-    ----------
-    places, heights : array, shape (n,)
-        Even places over the period, rad, and the values there.
-    known : float
-        Largest value of the first look. Where nothing is higher, it is returned with the place NaN.
-    narrow : callable
-        Place, height and error of the largest value about five places, see `Narrow`.
-    period : float
-        Period of the function, rad.
+    Places are even over the period, rad. Where nothing is higher than `known`, the largest value of
+    the first look, that one is returned with the place NaN.
 
-    Examples
-    --------
     >>> places = other_places(count=7)
     >>> look = lambda places, heights: (1.0, 1.0, 0.0)
     >>> second_look(places=places, heights=np.cos(places - 1), known=0.9, narrow=look)

@@ -23,19 +23,8 @@ def worse_position(
     """Loaded position in the direction with the larger force, and True if that is the reverse one.
 
     The position holds the hardest pressed contacts of both directions, because a smaller force may
-    press harder between smaller radii.
-
-    Parameters
-    ----------
-    output_torque : float
-        Size of the torque, N*m, > 0.
-    position : callable
-        Function that solves one position, as `loaded_position` does.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If either direction cannot be solved; see `Stage.solved`.
+    press harder between smaller radii. `position` solves one position as `loaded_position` does,
+    under a torque, N*m; `ImpossibleMechanism` is raised if either direction cannot be solved.
     """
     driving, back = (
         position(real=real, crank_angle=crank_angle, output_torque=sign * output_torque)

@@ -94,20 +94,10 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
 
     A pair of phase ``theta`` drives while ``psi + theta`` lies between pi and 2*pi: through a crank
     angle of ``pi/(1 + 1/u)`` once in each ``2*pi/(1 + 1/u)``. Source: Yanchevskiy and Niekhoroshykh
-    2021, eq. (6); eq. (1) of Yanchevsky et al. 2018 has ``initial_crank_angle = pi``.
+    2021, eq. (6); eq. (1) of Yanchevsky et al. 2018 has ``initial_crank_angle = pi``. Driving
+    phases are cut at the ends of the range, > 0 turns from 0; `InvalidInput` is raised if it is no
+    longer than rounding or holds more than `MAX_DRIVING_PHASES`.
 
-    Parameters
-    ----------
-    revolutions : float
-        Range in crank turns from 0, > 0; driving phases are cut at its ends.
-
-    Raises
-    ------
-    InvalidInput
-        If the range is no longer than rounding or holds more than `MAX_DRIVING_PHASES`.
-
-    Examples
-    --------
     Three pins, two satellites at 120 degrees, u = 20 (2021, fig. 6 b): 2 or 4 pairs drive.
 
     >>> m = Mechanism.evenly_spaced(pins=3, satellites=2, ratio=20.0, crank_spacing=2*math.pi/3)
@@ -280,22 +270,9 @@ def force_ratios(
     Source: Yanchevskiy and Niekhoroshykh 2021, eq. (10). Cosines are divided by the largest first,
     so that no power of them under- or overflows. Erratum of Yanchevsky et al. 2018 after fig. 6:
     the maxima of the next pairs follow at 180/N degrees of the wave only for K = 2 with odd N, else
-    at 360/N.
+    at 360/N. Crank angles are in rad, shape (n,), the exponent v is as in `check_exponent`;
+    `ImpossibleMechanism` is raised if no pair drives at one of the angles.
 
-    Parameters
-    ----------
-    crank_angles : array, shape (n,)
-        Crank angles, rad.
-    force_exponent : float
-        Exponent v of the force over the approach, from 0 to `MAX_FORCE_EXPONENT`.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If no pair drives at one of the angles.
-
-    Examples
-    --------
     One satellite, three pins, crank angle in the middle of pair 1's working phase.
 
     >>> m = Mechanism.evenly_spaced(
@@ -386,20 +363,10 @@ def peak_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> PeakForc
 
     The method is in the module's docstring; the force is that of Yanchevskiy and Niekhoroshykh
     2021, eq. (10). Erratum: their remark after eq. (11) that f stays below 1 is false for one
-    satellite (1.249 for three pins).
+    satellite (1.249 for three pins). `ImpossibleMechanism` is raised if the mechanism has a dead
+    centre, or one within rounding, where the force is unbounded; the exponent v is as in
+    `check_exponent`.
 
-    Parameters
-    ----------
-    force_exponent : float
-        Exponent v of the force over the approach, from 0 to `MAX_FORCE_EXPONENT`.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If the mechanism has a dead centre, or one within rounding, where the force is unbounded.
-
-    Examples
-    --------
     Three pins, one satellite; and two satellites at 180 degrees: 2/3 exactly.
 
     >>> one = Mechanism.evenly_spaced(pins=3, satellites=1, ratio=20.0)
@@ -550,19 +517,10 @@ def contact_force(
 
     Sources are eq. (10) of Yanchevskiy and Niekhoroshykh 2021, eq. (5) of Yanchevsky et al. 2018,
     and eq. (1) of Zyl, which is eq. (10) with the exponent 0. `ImpossibleMechanism` is raised if
-    the mechanism has a dead centre.
+    the mechanism has a dead centre. The exponent v is as in `check_exponent`. Curves of the forces
+    have `curve_samples` even crank angles from 0 to a full turn, at least 2; the peaks of Zyl and
+    of eq. (5) come if asked for.
 
-    Parameters
-    ----------
-    force_exponent : float
-        Exponent v of the force over the approach, from 0 to `MAX_FORCE_EXPONENT`.
-    curve_samples : int, optional
-        Number of even crank angles from 0 to a full turn for curves of the forces, at least 2.
-    equal_sharing, approximation : bool
-        True if the peaks of Zyl and of Yanchevsky et al. 2018, eq. (5), are asked for.
-
-    Examples
-    --------
     Zyl's example: T = 50 N*m, R = 32.5 mm, six pins, one satellite: 888.23 N.
 
     >>> m = Mechanism.evenly_spaced(pins=6, satellites=1, ratio=20.0)

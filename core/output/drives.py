@@ -29,20 +29,9 @@ def blank(
 ) -> tuple[int, FloatArray, FloatArray]:
     """Kind of the contact law, and floats of groups and contacts with what all contacts have.
 
-    Parameters
-    ----------
-    stage : RealMechanism or CycloidMesh
-        Nominal design.
-    pins, radius : int, float
-        Number of pins on the circle, and radius of the circle, m.
-    errors : sequence of array, shape (S, pins)
-        Radial and tangential errors of the pins' places, m: outward, and as the output turns.
-
-    Returns
-    -------
-    kind : int
-    gf : array, shape (S, K, 16)
-    cf : array, shape (S, K, pins, 13)
+    The stage is the nominal design, a `RealMechanism` or a `CycloidMesh`; errors are radial and
+    tangential ones of the pins' places, m, outward and as the output turns, shape (S, pins). Floats
+    have the shapes (S, K, 16) and (S, K, pins, 13).
     """
     kind, exponent = law_kind(stage.law)
     pieces, discs = cranks.phase.shape

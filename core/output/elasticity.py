@@ -383,17 +383,9 @@ def pair_law(*, kind: int, law: Law, pin: Any, wide: Any, give: Any) -> tuple[An
     """Constants a and b of contacts, and the force at which their law ends, N.
 
     With the compliance C in series they are LINEAR ``1/k + C, 0``; POWER ``k, C``; HERTZ
-    ``A + C, B`` of ``F*(A - B*ln F)``; CONFORMAL ``b*E*dR, b*E*C``.
-
-    Parameters
-    ----------
-    pin : float or array
-        Radius of the pin, m.
-    wide : float, array or None
-        Difference of the radii, m. None for a lobe, whose curvature depends on the position: HERTZ
-        is then taken at a reduced radius of 1 m.
-    give : float or array
-        Compliance C in series, m/N.
+    ``A + C, B`` of ``F*(A - B*ln F)``; CONFORMAL ``b*E*dR, b*E*C``. Radius of the pin and
+    difference of the radii are in m; a lobe has no difference (None), as its curvature depends on
+    the position: HERTZ is then taken at a reduced radius of 1 m.
     """
     if kind == LINEAR:
         return law.a + give, 0.0, math.inf

@@ -177,17 +177,10 @@ def _force_under(real: RealMechanism, pair: int, pressure: float) -> float:
 def solvable(*, real: RealMechanism, rooms: Rooms | None = None) -> Fit:
     """Fit of the pins of a mechanism whose forces may be solved.
 
-    Parameters
-    ----------
-    rooms : Rooms, optional
-        Room of the pins where discs turn in their ring. Elasticity of the ring may take up a misfit
-        too, so that a missing elastic state is then not refused.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If a hole is no larger than its pin, if pins could pass from one hole into the next or
-        around the satellite's centre, or if no elastic state exists.
+    Elasticity of a ring in which discs turn may take up a misfit too, so that with `rooms` of such
+    discs a missing elastic state is not refused. `ImpossibleMechanism` is raised if a hole is no
+    larger than its pin, if pins could pass from one hole into the next or around the satellite's
+    centre, or if no elastic state exists.
     """
     fit = Fit(rooms or real.rooms, real)
     real.rooms.refuse_without_bound()

@@ -65,19 +65,9 @@ def loaded_position(
     Left out are friction, speed, tilt of the discs, deformation of discs, carrier and crankshaft,
     and heat. Without clearance, bending and deviations and with ``exact=False`` the forces of a
     power law are those of Yanchevskiy and Niekhoroshykh 2021, eq. (10), with the law's exponent.
+    The torque T on the output link, N*m, is not 0 and negative in reverse; `ImpossibleMechanism` is
+    raised as by `Stage.solved`.
 
-    Parameters
-    ----------
-    output_torque : float
-        Torque T on the output link, N*m, not 0; negative in reverse.
-
-    Raises
-    ------
-    ImpossibleMechanism
-        If the position has no stable equilibrium within the contact law; see `Stage.solved`.
-
-    Examples
-    --------
     Eight pins, 0.02 mm of clearance: three pairs carry, and ``F = T/2R + k*c*(sqrt(2) - 1)/2``.
 
     >>> from core.output.elasticity import LinearLaw

@@ -87,16 +87,9 @@ def _nothing(rows: Rows) -> FloatArray:
 def refined(
     *, turn: Turn, near: float = JUDGED, besides: Callable[[Rows], FloatArray] = _nothing
 ) -> Rows:
-    """Positions of a period, as close as the forces need.
-
-    Parameters
-    ----------
-    turn : Turn
-        The mechanism under the torque.
-    near : float
-        Largest distance of forces from the straight lines between samples, over the largest force.
-    besides : callable
-        Relative distances of further quantities of the positions, shape (n,), with the same limit.
+    """Positions of a period, as close as the forces need. Forces lie nearer than `near`, over the
+    largest force, to the straight lines between samples, and so do further quantities (`besides`:
+    their relative distances, shape (n,)).
     """
     rows = turn.fine
     for _ in range(HALVINGS):

@@ -52,20 +52,9 @@ def summits(
     """Summits of a grid, narrowed; equal ones are narrowed once.
 
     A summit is taken to be concave between its neighbours, so that it is not above the lines that
-    lead to it from both sides.
-
-    Parameters
-    ----------
-    grid : Grid
-        Values over one period.
-    narrow : callable
-        Place, height and error of the largest value about five places, see `Narrow`.
-    known : sequence of Summit
-        Summits found before, which are not narrowed again.
-    most : int, optional
-        Number of the highest summits to narrow; all by default.
-    top : bool
-        True narrows only summits that may be the highest of all, at least `ZOOMED`.
+    lead to it from both sides. Summits known before are not narrowed again; `most` is the number of
+    the highest ones to narrow, all by default. True for `top` narrows only summits that may be the
+    highest of all, at least `ZOOMED`.
     """
     places, heights = grid.places, grid.heights
     count, turn = len(places), grid.period

@@ -57,20 +57,10 @@ def line_contact(
 
     ``1/rho = 1/r + 1/r_m`` of roller and tooth. The curvature of the tooth is an input, as the
     source of the gear, Khatetovsky et al. 2020, gives none. Source of the contact: Johnson, Contact
-    Mechanics, 4.2.
+    Mechanics, 4.2. The load q is in N/m, with its relative error. The radius of curvature r_m of
+    the tooth across the line, m, is positive if convex, negative if the roller lies in a hollow,
+    which has to be larger than the roller.
 
-    Parameters
-    ----------
-    line_load : float
-        Load q per length, N/m.
-    mating_radius : float
-        Radius of curvature r_m of the tooth across the line, m: positive if convex, negative if the
-        roller lies in a hollow, which has to be larger than the roller.
-    load_error : float
-        Relative error of the load.
-
-    Examples
-    --------
     Two equal steel cylinders touch like one of half the radius and a plane.
 
     >>> steel = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)

@@ -62,19 +62,10 @@ def meshing_load(
     where its load is unbounded. Source: Khatetovsky et al. 2020, eqs (8)-(27). Erratum: (10) and
     the middle step of (22) print ``n_y = cos(phi)``; the outward normal, also that of (25) and
     (26), has ``-cos(phi)``, with which the arm is ``-R_C*sin(phi)`` in every frame turned about the
-    axis.
+    axis. Limits in z mean the loaded flank, limits in phi name a flank; the sign of the torque M1
+    on the central wheel, N*m, selects the loaded flanks; C lies on the axis at l = `reference_z`, m
+    from the precession centre.
 
-    Parameters
-    ----------
-    rollers : sequence of RollerByLength or RollerByAngle
-        Rollers in mesh; limits in z mean the loaded flank, limits in phi name a flank.
-    torque : float
-        Torque M1 on the central wheel, N*m, not 0; its sign selects the loaded flanks.
-    reference_z : float
-        Place l of the point C on the axis, m from the precession centre.
-
-    Examples
-    --------
     >>> from math import radians
     >>> from core.precession.rollers import RollerByLength
     >>> load = meshing_load(

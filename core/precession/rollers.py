@@ -54,16 +54,9 @@ def wheel_rollers(
     """Evenly spaced rollers of a wheel: ``phi1 = position_angle + 2*pi*i/rollers_total``.
 
     The sign of the torque selects the loaded flank of each, see `contact_lines`. `InvalidInput` is
-    raised if one of the rollers in mesh stands where sin(phi1) = 0.
-
-    Parameters
-    ----------
-    position_angle : float
-        Position angle phi1 of the first roller, rad.
-    z_min, z_max : float
-        Ends of the working length, m from the precession centre.
-    rollers_in_mesh : int
-        Number of rollers that touch the satellite, from the first one on.
+    raised if one of the rollers in mesh stands where sin(phi1) = 0. Rollers in mesh count from the
+    first one, at `position_angle`, rad; the working length goes from z_min to z_max, m from the
+    precession centre.
     """
     if rollers_total < 1:
         raise InvalidInput("rollers_total", rollers_total, "greater_than_equal", limit=1)

@@ -93,20 +93,10 @@ def shaft_deflection(
     and C, (34) and (36) have ``(a + z2) + z2`` for ``a + z2``, and (34) has C_x for C_y; as
     printed, Maxwell's reciprocity fails. (33), (35) have the sign opposite to (34), (36). P_B and
     P_C are the forces on the shaft; the paper takes the reactions, which reverses the direction.
+    Force and moment are in N and N*m, with bounds of their errors; a is the distance of the
+    bearings, b that from B to the clamp, m. The lengths of the sections, from C to the clamp, add
+    up to a + b.
 
-    Parameters
-    ----------
-    force, moment : tuple of float, shape (3,)
-        Force F of the mesh on the satellite, N, and its moment about C, N*m.
-    bearing_distance, overhang : float
-        Distances a from C to B and b from B to the clamp, m.
-    shaft_sections : sequence of ShaftSection
-        Sections of the shaft from C to the clamp; their lengths have to add up to a + b.
-    force_error, moment_error : float
-        Bounds of the error of force and moment, N and N*m.
-
-    Examples
-    --------
     >>> result = shaft_deflection(
     ...     force=(168.756146705, -337.606954169, 0.0),
     ...     moment=(-0.0316199045437, -0.0724918335263, 10.0), bearing_distance=0.03,

@@ -63,20 +63,11 @@ def shaft_strength(
     With the forces P_C and P_B on the shaft, opposite to the reactions (Khatetovsky et al. 2020,
     eqs (28)-(31)), ``M(s) = |P_C*s + P_B*max(s - a, 0)|`` as vectors, ``M_B = |P_C|*a`` and
     ``M_clamp = |P_C*(a + b) + P_B*b|``; the stress is ``32*M/(pi*d^3)``. The moment is linear
-    between steps and loads, so that the largest one is at an end of such a stretch.
+    between steps and loads, so that the largest one is at an end of such a stretch. a is the
+    distance of the bearings, b that from B to the clamp, m; `fatigue` gives the strength of the
+    shaft by its diameter, m. A load that turns with the shaft bends it one way all the time;
+    another one turns around the shaft, and the stress is fully reversed.
 
-    Parameters
-    ----------
-    bearing_distance, overhang : float
-        Distances a from C to B and b from B to the clamp, m.
-    fatigue : callable, optional
-        Fatigue strength of the shaft by its diameter, m.
-    load_rotates_with_shaft : bool
-        True if the load turns with the shaft and bends it one way all the time; otherwise the load
-        turns around the shaft, and the stress is fully reversed.
-
-    Examples
-    --------
     >>> found = shaft_strength(
     ...     reaction_B=(2.41639445088, -1.05399681812), reaction_C=(-171.172541156, 338.660950987),
     ...     bearing_distance=0.03, overhang=0.02, sections=[ShaftSection(0.05, 0.02)])

@@ -54,14 +54,7 @@ def _lobes(ring: Any, errors: LobeErrors, cranks: Cranks) -> Contacts:
 
 
 def series_pieces(*, series: Any, teeth: LobeErrors, errors: Errors[FloatArray]) -> Pieces:
-    """Drives of many pieces of both meshes in series, from nominal design and deviations.
-
-    Parameters
-    ----------
-    series : MeshesInSeries
-    teeth : LobeErrors
-    errors : Errors of array
-    """
+    """Drives of many pieces of both meshes in series, from nominal design and deviations."""
     output = series.output
     pins = in_series(pins=output_pins(output=output, errors=errors), output=output)
     return pieces_of(

@@ -158,12 +158,8 @@ class InvoluteTeeth:
 def rack_of(*, pressure_angle: float, dedendum: float, tip_radius: float | None) -> Rack:
     """Rack with a given dedendum; its tip is as round as `usual_rack` has it if no radius is given.
 
-    Raises InvalidInput if the flanks of the rack meet above its tip.
-
-    Parameters
-    ----------
-    pressure_angle, dedendum : float, rad and modules
-    tip_radius : float or None, modules
+    Raises InvalidInput if the flanks of the rack meet above its tip. Angles are in rad, sizes in
+    modules.
     """
     rack = Rack(pressure_angle, dedendum)
     if not rack.most_round >= 0:
@@ -179,13 +175,7 @@ def addendum_of(
     """Addendum of planet or ring from its tip radius, in modules.
 
     Raises InvalidInput if the tip lies within the base circle or the addendum is out of `HEIGHTS`.
-
-    Parameters
-    ----------
-    name : {"satellite_tip_radius", "ring_tip_radius"}
-    tip_radius : float, m
-    teeth : int
-    shift, module, pressure_angle : float, profile shift in modules, m and rad
+    The tip radius and the module are in m, the profile shift in modules, the pressure angle in rad.
     """
     outwards = 1 if name == "satellite_tip_radius" else -1
     own, base = teeth / 2 + shift, module * (teeth * math.cos(pressure_angle) / 2)
@@ -375,13 +365,6 @@ def involute_pair(*, teeth: InvoluteTeeth, eccentricity: float | None = None) ->
     InvalidInput if `InvoluteTeeth.check` or the ring's cutter refuses the sizes, the spaces of the
     ring are too narrow for any eccentricity, or the base circles leave no room for the given one.
 
-    Parameters
-    ----------
-    teeth : InvoluteTeeth
-    eccentricity : float, optional, m
-
-    Examples
-    --------
     >>> teeth = InvoluteTeeth(satellite_teeth=40, ring_teeth=41, module=2.5e-3,
     ...                       satellite_profile_shift=0.0, ring_profile_shift=0.58,
     ...                       satellite_addendum=0.8, ring_addendum=0.8)

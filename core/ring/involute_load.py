@@ -74,13 +74,7 @@ class InvoluteLoad(PairForce):
 
 
 def pair_force(*, pair: InvolutePair, torque: float) -> PairForce:
-    """Force of one pair that carries the torque T_j of a planet, ``F_bn = T_j/r_bs``.
-
-    Parameters
-    ----------
-    pair : InvolutePair
-    torque : float, N*m
-    """
+    """Force of one pair that carries the torque T_j of a planet, ``F_bn = T_j/r_bs``."""
     normal = torque / pair.line.satellite_base
     return PairForce(normal, normal * math.cos(pair.line.angle), normal * math.sin(pair.line.angle))
 
@@ -98,16 +92,9 @@ def pressure_along(
     """Hertz pressure of one pair along the line of action, Pa; NaN if the planet has no involute.
 
     ``p = sqrt(K*F_bn*E*/(pi*b*rho))``, ``rho = rho_1*(rho_1 + e*sin(alpha_w))/(e*sin(alpha_w))``,
-    ``rho_1 = r_bs*tau``.
-
-    Parameters
-    ----------
-    pair : InvolutePair
-    torque : float, T_j of the planet about its own centre, N*m, > 0
-    contact_length : float, width b, m, > 0
-    satellite_material, ring_material : ElasticMaterial
-    roll : float or array, roll angles tau of the planet, rad
-    load_factor : float, K, application factor times face load factor, > 0
+    ``rho_1 = r_bs*tau``. The torque T_j, N*m, is that of the planet about its own centre, b the
+    contact length, m, and K the application factor times the face load factor, all > 0; tau are
+    roll angles of the planet, rad.
     """
     check_positive(torque=torque, contact_length=contact_length, load_factor=load_factor)
     modulus = effective_modulus(first=satellite_material, second=ring_material)
@@ -128,15 +115,8 @@ def involute_load(
     """Force of one pair, and its Hertz pressure at the ends of the path and at the pitch point.
 
     With few teeth of difference the pitch point may lie off the path; ISO 6336-2 looks there and
-    finds less pressure than there is at the start of the path.
-
-    Parameters
-    ----------
-    pair : InvolutePair
-    torque : float, T_j of the planet about its own centre, N*m, > 0
-    contact_length : float, width b, m, > 0
-    satellite_material, ring_material : ElasticMaterial
-    load_factor : float, K, application factor times face load factor, > 0
+    finds less pressure than there is at the start of the path. Arguments are those of
+    `pressure_along`.
     """
     rolls = (pair.start_roll, pair.end_roll, pair.line.pitch_roll)
     found = pressure_along(
@@ -169,13 +149,7 @@ def root_stress(
     that a rack generates, as it is commonly printed; the standard itself was not at hand. At large
     operating pressure angles a part of the force compresses the root, which is on the safe side.
     The root of the ring is not calculated. Raises NotKnown if the root is not that of a usual
-    tooth, or its notch is out of `NOTCHES`.
-
-    Parameters
-    ----------
-    pair : InvolutePair
-    torque : float, T_j of the planet about its own centre, N*m, > 0
-    contact_length, load_factor : float, width b, m, and factor K, > 0
+    tooth, or its notch is out of `NOTCHES`. Arguments are those of `pressure_along`.
     """
     check_positive(torque=torque, contact_length=contact_length, load_factor=load_factor)
     teeth, line = pair.teeth, pair.line
@@ -218,23 +192,13 @@ def loss_ratio(*, pair: InvolutePair, friction: float, roll: float) -> float:
     """Power lost over power put out while one pair carries at a place, ``mu*|tau - tan(alpha_w)|``.
 
     The sliding speed is the distance to the pitch point times the relative speed of both bodies.
-
-    Parameters
-    ----------
-    pair : InvolutePair
-    friction, roll : float, coefficient mu and roll angle tau of the planet, rad
+    tau is the roll angle of the planet, rad.
     """
     return friction * abs(roll - pair.line.pitch_roll)
 
 
 def mean_loss_ratio(*, pair: InvolutePair, friction: float) -> float:
-    """Mean of `loss_ratio` over the path of contact.
-
-    Parameters
-    ----------
-    pair : InvolutePair
-    friction : float
-    """
+    """Mean of `loss_ratio` over the path of contact."""
     start, end = (each - pair.line.pitch_roll for each in (pair.start_roll, pair.end_roll))
     if not end > start:
         return friction * abs(start)
@@ -248,13 +212,8 @@ def involute_loss(
     output_torque: float,
     input_speed: float | None = None,
 ) -> RingLoss:
-    """Friction of the flanks of all planets, mean over the path with one pair of each carrying.
-
-    Parameters
-    ----------
-    pair : InvolutePair
-    friction, output_torque : float, coefficient mu and torque of all planets, N*m
-    input_speed : float, optional, of the eccentric against the ring, rad/s
+    """Friction of the flanks of all planets, mean over the path with one pair of each carrying. The
+    torque is that of all planets, N*m, the speed that of the eccentric against the ring, rad/s.
     """
     each = mean_loss_ratio(pair=pair, friction=1.0)
     lost, teeth = friction * each, pair.teeth

@@ -150,23 +150,13 @@ class LineOfAction:
 
 
 def roll(radius: Number, *, base: float) -> Number:
-    """Roll angle of an involute at a radius, tangent of the pressure angle; NaN if below the base.
-
-    Parameters
-    ----------
-    radius, base : float or array, m
-    """
+    """Roll angle of an involute at a radius: tangent of the pressure angle, NaN below the base."""
     with np.errstate(invalid="ignore"):
         return np.sqrt((radius - base) * (radius + base)) / base
 
 
 def radius_at(roll_angle: Number, *, base: float) -> Number:
-    """Radius at which an involute has a roll angle, m.
-
-    Parameters
-    ----------
-    roll_angle, base : float or array, rad and m
-    """
+    """Radius at which an involute has a roll angle, m."""
     return base * np.hypot(1, roll_angle)
 
 

@@ -27,13 +27,7 @@ class RingFriction:
 
 
 def sliding_part(*, disc: CycloidDisc, friction: RingFriction) -> float:
-    """Sliding speed over that on fixed pins: 1 without sleeves, otherwise r_i/r.
-
-    Parameters
-    ----------
-    disc : CycloidDisc
-    friction : RingFriction
-    """
+    """Sliding speed over that on fixed pins: 1 without sleeves, otherwise r_i/r."""
     check_single(coefficient=friction.coefficient)
     if not 0 <= friction.coefficient < math.inf:
         raise InvalidInput("coefficient", friction.coefficient, "greater_than_equal", limit=0)
@@ -109,16 +103,9 @@ def ring_loss(
     """Loss, efficiency and pv of a ring's mesh.
 
     ``loss/output = mu*c*sum F*|R*S - r|/T`` with c from `sliding_part`; for perfect parts on many
-    pins ``4*mu*c*(R - r)/(pi*e*z)`` if ``r < R*(1 - K1)``. Derived.
+    pins ``4*mu*c*(R - r)/(pi*e*z)`` if ``r < R*(1 - K1)``. Derived. The speed of the crank, rad/s,
+    may have either sign.
 
-    Parameters
-    ----------
-    turn : MeshTurn
-    friction : RingFriction
-    input_speed : float, optional, of the crank, rad/s, of either sign
-
-    Examples
-    --------
     >>> from core.materials import ElasticMaterial
     >>> from core.output.elasticity import LinearLaw
     >>> from core.ring.sharing import CycloidMesh, mesh_over_turn

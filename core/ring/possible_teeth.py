@@ -58,15 +58,8 @@ def possible_teeth(
     Teeth count if their tips pass each other, they touch on involutes, and the planet's are neither
     undercut nor pointed. The contact ratio may be too small by `MISSED`, for teeth between the
     points of the grid. Raises InvalidInput if the base circles leave no room for the eccentricity.
+    The rack is that of the hob that cuts the planet; sizes are in m.
 
-    Parameters
-    ----------
-    satellite_teeth, ring_teeth : int
-    module, eccentricity : float, m
-    rack : Rack, of the hob that cuts the planet
-
-    Examples
-    --------
     One tooth of difference needs an eccentricity of 0.66 to 0.8 modules:
 
     >>> from core.ring.involute import usual_rack

@@ -249,16 +249,9 @@ def outline_points(
     the crank angle 0. Points dt apart leave a distance of at most ``|C'|^2*|curvature|*dt^2/8``
     from the chord in the limit of close points; the stated error is measured along each chord and
     at the vertex of a parabola through the largest distance there. Raises InvalidInput if the disc
-    is undercut, or the chord error or the number of lobes needs more points.
+    is undercut, or the chord error or the number of lobes needs more points. The chord error, m,
+    > 0, is the largest distance of the outline from the polygon, which has at most `most` points.
 
-    Parameters
-    ----------
-    disc : CycloidDisc
-    chord_error : float, largest distance of the outline from the polygon, m, > 0
-    most : int, largest number of points
-
-    Examples
-    --------
     >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
     ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005)
     >>> found = outline_points(disc=disc, chord_error=1e-6)

@@ -57,12 +57,8 @@ def in_their_ring(*, rooms: Rooms, ring: CycloidMesh) -> Rooms:
     """Room of output pins in the holes of discs that turn in the ring within their backlash.
 
     The room is the largest one over the turning of each disc. Discs are held, and ``rooms`` is
-    returned, if ring pins press without load.
-
-    Parameters
-    ----------
-    rooms : Rooms, of pins in the holes of discs that are held
-    ring : CycloidMesh, with the deviations of cranks and discs
+    returned, if ring pins press without load. `rooms` are of discs that are held; the ring has the
+    deviations of cranks and discs.
     """
     if rooms.deviations == Deviations() and ring.pins_alike:
         return rooms
@@ -233,16 +229,9 @@ def series_position(
     With one disc, in first order, lags and backlashes of both stages add; with several discs they
     do not, since each disc depends on both stages. Friction, speed, tilting and edge load,
     deformation of discs, ring and carrier, and errors of single lobes are left out. Raises
-    ImpossibleMechanism if there is no stable equilibrium, see `Stage.solved`.
+    ImpossibleMechanism if there is no stable equilibrium, see `Stage.solved`. The torque on the
+    output link, N*m, is not 0 and negative in reverse.
 
-    Parameters
-    ----------
-    real : MeshesInSeries
-    crank_angle : float, rad
-    output_torque : float, T on the output link, N*m, not 0; negative in reverse
-
-    Examples
-    --------
     With one disc the angular deflection is the sum of both stages.
 
     >>> from core.materials import ElasticMaterial

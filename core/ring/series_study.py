@@ -37,12 +37,6 @@ def crank_places(*, lobes: int, count: int) -> tuple[float, ...]:
     """Crank angles spaced evenly in a turn, each in another of the ``lobes`` turns of a period,
     rad; wave angles of the output are nearly even too.
 
-    Parameters
-    ----------
-    lobes, count : int
-
-    Examples
-    --------
     >>> [round(angle/(2*math.pi), 3) for angle in crank_places(lobes=5, count=4)]
     [0.0, 2.25, 4.5, 1.75]
     """

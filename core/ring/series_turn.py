@@ -43,14 +43,9 @@ longer period has more, in proportion to its turns of the wave."""
 
 
 def positions_in_series(*, lobes: int, pitches: int) -> int:
-    """Number of positions of the even grid over a period, equally many in each pitch of the ring.
+    """Number of positions of the even grid over a period, equally many in each pitch of the ring. A
+    disc has `lobes`, the period `pitches`: ``z*(z + 1)`` in z turns.
 
-    Parameters
-    ----------
-    lobes, pitches : int, of a disc, and in the period: ``z*(z + 1)`` in z turns
-
-    Examples
-    --------
     >>> positions_in_series(lobes=20, pitches=420), positions_in_series(lobes=20, pitches=5)
     (1680, 120)
     """
@@ -229,15 +224,8 @@ def series_over_turn(
     """Peak forces, backlash, lost motion, transmission error and stiffness of both meshes.
 
     Raises ImpossibleMechanism if a position has no stable equilibrium, see `Stage.solved`.
+    Arguments are those of `core.output.over_turn.over_turn`.
 
-    Parameters
-    ----------
-    real : MeshesInSeries
-    output_torque : float, T on the output link, N*m, not 0; negative in reverse
-    lost_motion_share : float, share of the torque at which lost motion is measured, > 0, <= 1
-
-    Examples
-    --------
     >>> from core.materials import ElasticMaterial
     >>> from core.output.elasticity import LinearLaw
     >>> from core.output.mechanism import Mechanism

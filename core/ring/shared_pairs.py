@@ -68,11 +68,6 @@ def touching(*, pair: InvolutePair, angle: FloatArray) -> Touching:
     A pair touches on the path after half the backlash if the roll angle
     ``axis_i + eps + sigma_s + alpha_w`` lies on the path, at the corner of the ring's tip on the
     planet's flank, or at the corner of the planet's tip on the ring's flank; the least turn counts.
-
-    Parameters
-    ----------
-    pair : InvolutePair
-    angle : array, rad
     """
     line, teeth = pair.line, pair.teeth
     count = teeth.satellite_teeth
@@ -146,12 +141,8 @@ def _wrapped(angle: FloatArray) -> FloatArray:
 
 def shared_torque(*, found: Touching, torque: float, stiffness: float) -> SharedTorque:
     """Forces of pairs of one stiffness that share a torque, closed in the order of their onsets:
-    ``F_i = k*h_i*max(0, eps - eps_i)``, ``sum F_i*h_i = T_j``.
-
-    Parameters
-    ----------
-    found : Touching
-    torque, stiffness : float, T_j, N*m, and k along the line of action, N/m, > 0
+    ``F_i = k*h_i*max(0, eps - eps_i)``, ``sum F_i*h_i = T_j``. The torque T_j is in N*m, the
+    stiffness k along the line of action in N/m, both > 0.
     """
     check_positive(torque=torque, stiffness=stiffness)
     order = found.onset.argsort(axis=1)
@@ -173,14 +164,9 @@ def pairs_that_carry(
 ) -> PairsThatCarry:
     """Numbers of pairs of perfect teeth that carry over a pitch, and the largest share of one pair.
 
-    Raises ImpossibleMechanism if the teeth interfere or touch where they are not involutes.
-
-    Parameters
-    ----------
-    pair : InvolutePair
-    torque : float, T_j of the planet, N*m, > 0
-    contact_length : float, width b, m, > 0
-    stiffness : float, optional, k of a pair, N/m; by default `PAIR_STIFFNESS` times the width
+    Raises ImpossibleMechanism if the teeth interfere or touch where they are not involutes. The
+    torque T_j of the planet, N*m, and the contact length, m, are > 0; the stiffness of a pair, N/m,
+    is `PAIR_STIFFNESS` times the contact length by default.
     """
     if not pair.on_involutes:
         raise ImpossibleMechanism("teeth_interfere")

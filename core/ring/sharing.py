@@ -275,16 +275,9 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
 
     Friction, speed, tilting and edge load, deformation of discs and ring, clearance and compliance
     of the eccentric's bearings, and errors of single lobes are left out. Raises ImpossibleMechanism
-    if there is no stable equilibrium, see `Stage.solved`.
+    if there is no stable equilibrium, see `Stage.solved`. The torque of all discs, N*m, is not 0
+    and negative in reverse.
 
-    Parameters
-    ----------
-    mesh : CycloidMesh
-    crank_angle : float, rad
-    output_torque : float, T of all discs, N*m, not 0; negative in reverse
-
-    Examples
-    --------
     Perfect rigid parts of 29 lobes, a force of the ring of 1600 N across the crank:
 
     >>> from core.output.elasticity import LinearLaw
@@ -333,15 +326,8 @@ def mesh_gaps(
     *, mesh: CycloidMesh, crank_angle: float, rotation: tuple[float, ...] = ()
 ) -> tuple[tuple[float, ...], ...]:
     """Gaps of all pairs where the discs have given lags, m, K x z_p; negative if a pair presses.
+    `rotation` has the lag of each disc, rad, negative in reverse; 0 by default.
 
-    Parameters
-    ----------
-    mesh : CycloidMesh
-    crank_angle : float, rad
-    rotation : tuple of float, lag of each disc, rad, K values, negative in reverse; 0 by default
-
-    Examples
-    --------
     >>> from core.output.elasticity import LinearLaw
     >>> from core.ring.profile import Modification
     >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
@@ -535,15 +521,8 @@ def mesh_over_turn(
     """Peak force, backlash, lost motion, transmission error and stiffness over the turn.
 
     Raises ImpossibleMechanism if a position has no stable equilibrium, see `Stage.solved`.
+    Arguments are those of `core.output.over_turn.over_turn`; the torque is that of all discs.
 
-    Parameters
-    ----------
-    mesh : CycloidMesh
-    output_torque : float, T of all discs, N*m, not 0; negative in reverse
-    lost_motion_share : float, share of the torque at which lost motion is measured, > 0, <= 1
-
-    Examples
-    --------
     >>> from core.output.elasticity import LinearLaw
     >>> from core.ring.profile import Modification
     >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
@@ -586,13 +565,6 @@ def ideal_mesh(*, disc: CycloidDisc, disc_torque: float) -> IdealMesh:
     that carries, the squares of ``sin(a)/S`` sum to z_p/4 for any K1: ``F_max = 4*T/(e*z*z_p)``,
     ``sum F = 4*T/(pi*e*z)``. The backlash is the least of ``2*g/|h|`` over the angles. Derived.
 
-    Parameters
-    ----------
-    disc : CycloidDisc
-    disc_torque : float, N*m, >= 0
-
-    Examples
-    --------
     >>> from core.ring.profile import Modification
     >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
     ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3,

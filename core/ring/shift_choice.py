@@ -27,15 +27,10 @@ def nearest_ring(*, teeth: InvoluteTeeth, room: float = TIPS_APART) -> InvoluteP
     """Ring's profile shift, and eccentricity without backlash, that leave a given gap of the tips.
 
     The least operating pressure angle with this gap is taken, as it has the largest contact ratio;
-    it is at least the reference pressure angle. Raises NotKnown if no angle to `STEEPEST` does.
+    it is at least the reference pressure angle. Raises NotKnown if no angle to `STEEPEST` does. The
+    profile shift of the ring in `teeth` is not used; `room` is the interference G of the tips that
+    has to remain.
 
-    Parameters
-    ----------
-    teeth : InvoluteTeeth, whose ring's profile shift is not used
-    room : float, interference G of the tips that has to remain
-
-    Examples
-    --------
     >>> teeth = InvoluteTeeth(satellite_teeth=40, ring_teeth=41, module=2.5e-3,
     ...                       satellite_profile_shift=0.0, ring_profile_shift=0.0,
     ...                       satellite_addendum=0.8, ring_addendum=0.8)
@@ -76,12 +71,8 @@ def shifts_at(
     """Teeth with usual profile shifts, without backlash, with the largest contact ratio at an
     eccentricity; tips stay apart, the path lies on involutes, and no tooth is pointed.
 
-    Raises NotKnown if no usual shifts do, InvalidInput if base circles leave no room for e.
-
-    Parameters
-    ----------
-    teeth : InvoluteTeeth, whose profile shifts are not used
-    eccentricity, room : float, m, and interference G of the tips that has to remain
+    Raises NotKnown if no usual shifts do, InvalidInput if base circles leave no room for e. Profile
+    shifts in `teeth` are not used; `room` is the interference G of the tips that has to remain.
     """
     line = LineOfAction.of(
         satellite_teeth=teeth.satellite_teeth,

@@ -52,16 +52,10 @@ def satellite_outline(
     """One tooth of an involute planet with the fillets of its hob.
 
     Raises InvalidInput if the chord error needs more points, ImpossibleMechanism if the hob cuts
-    away a part of the involute or the teeth are pointed below their tips.
+    away a part of the involute or the teeth are pointed below their tips. The chord error, m, > 0,
+    is the largest distance of the outline from the polygon of its points, at most `most` of all
+    teeth.
 
-    Parameters
-    ----------
-    pair : InvolutePair
-    chord_error : float, largest distance of the outline from the polygon, m, > 0
-    most : int, largest number of points of all teeth
-
-    Examples
-    --------
     >>> from core.ring.involute import InvoluteTeeth, involute_pair
     >>> teeth = InvoluteTeeth(satellite_teeth=40, ring_teeth=41, module=2.5e-3,
     ...                       satellite_profile_shift=0.0, ring_profile_shift=0.58,
@@ -100,13 +94,7 @@ def ring_outline(
 
     Raises InvalidInput if the chord error needs more points, ImpossibleMechanism if the teeth are
     pointed below their tips, spaces above their roots, or the cutter is pointed or leaves no
-    involute.
-
-    Parameters
-    ----------
-    pair : InvolutePair
-    chord_error : float, largest distance of the outline from the polygon, m, > 0
-    most : int, largest number of points of all teeth
+    involute. Arguments are those of `satellite_outline`.
     """
     teeth, base = pair.teeth, pair.line.ring_base
     low = float(roll(teeth.ring_tip, base=base))

@@ -285,16 +285,9 @@ def roller_fatigue(
 
     The stress goes from 0 to the largest, ``sigma_a = sigma_m = sigma/2``, and is fully reversed if
     the roller rotates in its seat. The cycle is derived from the static stress of Ovsyannikov et
-    al. 2019, eq. (12).
+    al. 2019, eq. (12). The bending stress, Pa, > 0, is the largest one, with the notch factor if
+    `strength` has none.
 
-    Parameters
-    ----------
-    bending_stress : float, largest sigma, Pa, > 0, with the notch factor if `strength` has none
-    strength : FatigueStrength
-    rotates : bool
-
-    Examples
-    --------
     >>> strength = FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6)
     >>> round(roller_fatigue(bending_stress=300e6, strength=strength).safety_factor, 6)
     1.538462
@@ -316,15 +309,9 @@ def relative_stiffness(
 
     With l, b, D for l/d, b/d, D/d the compliance is the sum of
     ``64*b*l/pi*((k*D + b)*l/4 + l^2/3 + b*(l + k*D + b)/4)`` and ``4*1.11*b*(E/G)/pi*(l + b/2)``.
-    Source: Ovsyannikov et al. 2019, eq. (10), fig. 4.
+    Source: Ovsyannikov et al. 2019, eq. (10), fig. 4. Lengths are over the diameter, k is the
+    friction coefficient, E/G the ratio of moduli.
 
-    Parameters
-    ----------
-    relative_length, relative_width, relative_sphere : float or array, l/d, b/d and D/d
-    friction_coefficient, modulus_ratio : float or array, k and E/G
-
-    Examples
-    --------
     >>> round(relative_stiffness(relative_length=2.0, relative_width=0.8, relative_sphere=1.5,
     ...                          friction_coefficient=0.16, modulus_ratio=210/78), 9)
     0.011424309
@@ -340,11 +327,6 @@ def load_nonuniformity(*, relative_position_error: Number, rollers: int) -> Numb
     """Load-sharing factor, largest over mean force, ``Psi = min(n, 1 + 4*(n - 1)/n*delta)``.
 
     Source: Ovsyannikov et al. 2019, eq. (6), fig. 5, up to n, where one roller carries all.
-
-    Parameters
-    ----------
-    relative_position_error : float or array, delta, >= 0
-    rollers : int
     """
     return smaller(float(rollers), 1 + 4 * (rollers - 1) / rollers * relative_position_error)
 

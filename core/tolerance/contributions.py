@@ -47,15 +47,9 @@ def contributions(
     peak force is even in most deviations. Totals above 1 in sum mean that sources act together.
     Pieces that do not fit or cannot work are left out. Each index is a ratio of means, as V is
     estimated from the samples too, so the standard error is that of
-    ``(f_A - f_AB)^2/2 - S*(f - <f>)^2`` over V (Cochran 1977, Sampling Techniques, 6).
-
-    Parameters
-    ----------
-    study : Study
-    percent : float
-        Percentage of the percentile without each source.
-    to_fit : bool
-        True for contributions to the fit, 1 or 0 of each piece, in place of a quantity.
+    ``(f_A - f_AB)^2/2 - S*(f - <f>)^2`` over V (Cochran 1977, Sampling Techniques, 6). `percent` is
+    that of the percentile without each source. True for `to_fit` takes contributions to the fit, 1
+    or 0 of each piece, in place of a quantity.
     """
 
     def first_quantity(pieces: Drawn) -> FloatArray:

@@ -43,19 +43,9 @@ Distribution = Literal["normal", "uniform"]
 def uniforms(
     *, seed: int, streams: Sequence[tuple[int, int]], samples: int, first: int = 0
 ) -> FloatArray:
-    """Numbers of random streams, above 0 and below 1, shape (streams, samples).
+    """Numbers of random streams, above 0 and below 1, shape (streams, samples). A stream is a kind
+    and the index of a part, from 0; `first` is the index of the first sample.
 
-    Parameters
-    ----------
-    seed : int
-        Seed of the study, >= 0.
-    streams : sequence of tuple
-        Kind of each stream, and index of the part from 0.
-    samples, first : int
-        Number of samples, and index of the first one.
-
-    Examples
-    --------
     >>> uniforms(seed=7, streams=[(0, 0)], samples=2).tolist()
     [[0.8720734548204874, 0.2953653815137836]]
     """
@@ -149,14 +139,8 @@ def _normal_quantile(probability: FloatArray) -> FloatArray:
 def zone_places(
     *, diameter: float, radius_uniform: FloatArray, angle_uniform: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Radial and tangential places in a round zone, even over its area, m.
-
-    Parameters
-    ----------
-    diameter : float
-        Diameter of the zone, which is the position tolerance, m.
-    radius_uniform, angle_uniform : array
-        Numbers between 0 and 1.
+    """Radial and tangential places in a round zone, even over its area, m. The diameter of the zone
+    is the position tolerance, m; `radius_uniform` and `angle_uniform` are numbers between 0 and 1.
     """
     radius = diameter / 2 * np.sqrt(radius_uniform)
     angle = 2 * math.pi * angle_uniform

@@ -42,17 +42,9 @@ class Limits:
 def fit_clearance(*, fit: str, hole_diameter: float, pin_diameter: float) -> float:
     """Mean radial clearance of a fit of two nominal diameters, m; negative is interference.
 
-    The clearance is half of the difference of the middles of both tolerances.
+    The clearance is half of the difference of the middles of both tolerances. Diameters are in m,
+    at most 0.5; a fit is, for example, ``H7/f7``.
 
-    Parameters
-    ----------
-    fit : str
-        Classes of hole and shaft, for example ``H7/f7``.
-    hole_diameter, pin_diameter : float
-        Nominal diameters, m, at most 0.5.
-
-    Examples
-    --------
     Hole of 20 mm with 0 to 21 micrometres, pin of 16 mm with -34 to -16 micrometres.
 
     >>> round(fit_clearance(fit="H7/f7", hole_diameter=0.020, pin_diameter=0.016) * 1e6, 6)
@@ -70,17 +62,9 @@ def class_limits(*, size: float, tolerance_class: str) -> Limits:
     """Limit deviations of a diameter by its ISO 286 class; js and JS are halves, not rounded.
 
     ISO 286-1:2010, tables 1 to 5; f and g up to 3 mm and m above 180 mm follow the formulas of ISO
-    286-1:1988, A.3.
+    286-1:1988, A.3. The size is in m, at most 0.5. A class, such as ``m6`` or ``H7``, has letters
+    of `CLASSES` and a grade of `GRADES`.
 
-    Parameters
-    ----------
-    size : float
-        Nominal diameter, m, at most 0.5.
-    tolerance_class : str
-        For example ``m6`` or ``H7``, with letters of `CLASSES` and grades of `GRADES`.
-
-    Examples
-    --------
     >>> class_limits(size=0.010, tolerance_class="m6")
     Limits(lower=6e-06, upper=1.5e-05)
     """

@@ -68,16 +68,8 @@ def fewest(percent: float) -> int:
 
 def refuse_few(*, count: int, percent: float) -> None:
     """Raise InvalidInput if p^n or (1 - p)^n exceeds 2.5 %, as all values may lie on one side then.
+    `count` is the sample size n, `percent` is 100*p, between 0 and 100.
 
-    Parameters
-    ----------
-    count : int
-        Sample size n.
-    percent : float
-        Percentage 100*p, between 0 and 100.
-
-    Examples
-    --------
     >>> refuse_few(count=368, percent=99)
     >>> refuse_few(count=367, percent=99)
     Traceback (most recent call last):
@@ -95,17 +87,9 @@ def percentile(*, values: Sequence[float] | FloatArray, percent: float) -> Estim
     """Percentile of a sample by order statistics: the value of rank ceil(n*p).
 
     Ends of the interval are the values at the binomial quantiles, for any distribution. Raises
-    InvalidInput if the sample is too small, see `refuse_few`.
+    InvalidInput if the sample is too small, see `refuse_few`. `percent` is 100*p, between 0 and
+    100.
 
-    Parameters
-    ----------
-    values : sequence of float
-        Sample of n values.
-    percent : float
-        Percentage 100*p, between 0 and 100.
-
-    Examples
-    --------
     >>> percentile(values=range(1, 1001), percent=50)
     Estimate(value=500.0, low=469.0, high=532.0)
     """
@@ -123,13 +107,6 @@ def percentile(*, values: Sequence[float] | FloatArray, percent: float) -> Estim
 def share(*, successes: int, count: int) -> Estimate:
     """Share of successes with the interval of Clopper and Pearson.
 
-    Parameters
-    ----------
-    successes, count : int
-        Number of successes, and of trials.
-
-    Examples
-    --------
     >>> found = share(successes=3122, count=4096)
     >>> round(found.low, 8), round(found.high, 8)
     (0.74886282, 0.77517624)

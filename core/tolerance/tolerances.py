@@ -182,13 +182,7 @@ class Drawn:
 
 
 def deviations(*, rows: Mapping[str, FloatArray], pins: int) -> Deviations:
-    """Deviations of one piece from flat rows by the names of `Deviations`.
-
-    Parameters
-    ----------
-    rows : mapping of str to array
-    pins : int
-    """
+    """Deviations of one piece from flat rows by the names of `Deviations`."""
 
     def entries(name: str, row: FloatArray) -> tuple[object, ...]:
         if not name.startswith("hole"):

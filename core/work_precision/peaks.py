@@ -48,12 +48,8 @@ def _refuse_many(mechanism: Mechanism, pins: str = "pins", besides: int = 0) -> 
 def peak_force_study(*, mechanism: Mechanism, force_exponent: float = 1.0) -> WorkPrecision:
     """Error against run time of the peak of the contact force.
 
-    Raises InvalidInput for too many pairs, ImpossibleMechanism at a dead centre.
-
-    Parameters
-    ----------
-    mechanism : Mechanism, at most `MAX_PAIRS` pairs
-    force_exponent : float, exponent v of the force over the approach
+    Raises InvalidInput for too many pairs, ImpossibleMechanism at a dead centre. Pairs are at most
+    `MAX_PAIRS`; the exponent is that of the force over the approach.
     """
     _refuse_many(mechanism)
     pins, satellites = mechanism.pins, mechanism.satellites
@@ -116,15 +112,11 @@ def real_peak_study(*, real: Stage, output_torque: float) -> WorkPrecision:
     """Error against run time of the peak force over the period after which it repeats, with
     clearance and errors; of both meshes in series on the pins of the output.
 
-    Samples miss the peak, always downwards: a bias, not a scatter. One summit narrowed is a
-    summit, and not always the highest. The reference has `DENSE` times as many positions as the
-    calculator, at other places, and those at dead angles; every summit is narrowed. Raises
-    InvalidInput for too many pairs, ImpossibleMechanism as `Stage.solved` does.
-
-    Parameters
-    ----------
-    real : Stage, of at most `MAX_PAIRS` pairs
-    output_torque : float, T on the output link, N*m, not 0; negative in reverse
+    Samples miss the peak, always downwards: a bias, not a scatter. One summit narrowed is a summit,
+    and not always the highest. The reference has `DENSE` times as many positions as the calculator,
+    at other places, and those at dead angles; every summit is narrowed. Raises InvalidInput for too
+    many pairs, ImpossibleMechanism as `Stage.solved` does. The torque on the output link, N*m, is
+    not 0 and negative in reverse.
     """
     ring = isinstance(real, CycloidMesh)
     _refuse_many(real.mechanism, "ring_teeth" if ring else "pins")

@@ -58,12 +58,8 @@ def _by_rule(code: str, along: str, integrals: Sequence[Integral]) -> Method:
 
 
 def contact_line_study(*, gear: Given, rollers: Sequence[Roller]) -> WorkPrecision:
-    """Error against run time of the total length of the contact lines.
-
-    Parameters
-    ----------
-    gear : dict, roller_circle_radius, roller_radius, nutation_angle, ratio_u12 of `contact_lines`
-    rollers : sequence of Roller
+    """Error against run time of the total length of the contact lines. `gear` has the sizes and the
+    ratio that `contact_lines` takes.
     """
     import mpmath
 
@@ -124,12 +120,8 @@ def _exact_lengths(gear: Given, rollers: Sequence[Roller]) -> Iterator[Any]:
 
 
 def shaft_deflection_study(*, shaft: Given) -> WorkPrecision:
-    """Error against run time of the deflection at C, x + i*y.
-
-    Parameters
-    ----------
-    shaft : dict, force, moment, bearing_distance, overhang, youngs_modulus and shaft_sections of
-        `shaft_deflection`
+    """Error against run time of the deflection at C, x + i*y. `shaft` has the arguments of
+    `shaft_deflection`.
     """
     distance, sections = shaft["bearing_distance"], shaft["shaft_sections"]
     ends = np.cumsum([each.length for each in sections])

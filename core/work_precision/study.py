@@ -85,13 +85,9 @@ class WorkPrecision:
 
 
 def work_precision(*, reference: Reference, exact: Any, methods: Iterable[Method]) -> WorkPrecision:
-    """Error against run time of each method at each of its settings.
-
-    Parameters
-    ----------
-    reference : Reference, how the exact value was got
-    exact : mpmath number, the exact value
-    methods : iterable of Method, the last that of the calculators; left out where not finite
+    """Error against run time of each method at each of its settings. The exact value is a number of
+    mpmath; the last method is that of the calculators. A method is left out where its value is not
+    finite.
     """
     measured = (_measured(method, value, exact) for method in methods for value in method.values)
     return WorkPrecision(reference, tuple(point for point in measured if point))

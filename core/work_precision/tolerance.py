@@ -30,12 +30,8 @@ def tolerance_sampling_study(*, study: Study, percent: float | None) -> WorkPrec
     The number of pieces makes a scatter that falls with its root, whatever the positions; the
     number of positions a bias that no number of pieces takes away. The error is both: the scatter
     of smaller samples among the pieces, of all half that of quarters, and the bias against the same
-    pieces at `FINEST` times the positions. Raises InvalidInput for too few pieces, quartered.
-
-    Parameters
-    ----------
-    study : Study, whose first quantity is taken
-    percent : float or None, which percentile, between 0 and 100; None: the mean
+    pieces at `FINEST` times the positions. Raises InvalidInput for too few pieces, quartered. The
+    first quantity of the study is taken, by its mean if `percent` is None.
     """
     asked = study.asked.positions
     exact = _estimate(_values(study, FINEST * asked)[0], percent)

@@ -83,13 +83,7 @@ def worst_bearing(found: SatelliteBearings) -> int:
 
 
 def bearing_steps(results: Results) -> list[Step]:
-    """Steps of the bearing that is loaded most.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design with bearings.
-    """
+    """Steps of the bearing that is loaded most."""
     design, found = results.design, results.crank.bearings
     bearing, j = design.bearing, worst_bearing(found)
     sheet, where = _sheet(results, found, j), {"params": {"satellite": j + 1}}
@@ -125,13 +119,7 @@ def bearing_steps(results: Results) -> list[Step]:
 
 
 def shaft_steps(results: Results) -> list[Step]:
-    """Steps of the crankshaft: reactions, lives, balance.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design with a crankshaft.
-    """
+    """Steps of the crankshaft: reactions, lives, balance."""
     design, found = results.design, results.crank.shaft
     shaft, speeds, sheet = design.crankshaft, design.known_speeds, _sheet(results, found)
     sheet.take("n_1", "input_speed", speeds.crank)

@@ -50,14 +50,9 @@ def hertz_steps(
     line_load_factor: float = 1.0,
     turning: tuple[float | None, float, float] = (None, math.inf, math.inf),
 ) -> list[Step]:
-    """Steps of the contact; arguments are those of `core.hertz.hertz`.
-
-    Parameters
-    ----------
-    line_load_factor : float
-        K_b of pins that bend.
-    turning : tuple of float, optional
-        Speed of the crank, rad/s, life, s, and ratio, if limits fall over the life.
+    """Steps of the contact; arguments are those of `core.hertz.hertz`. `line_load_factor` is K_b of
+    pins that bend; `turning` are speed of the crank, rad/s, life, s, and ratio, if limits fall over
+    the life.
     """
     sheet = Sheet(found)
     sheet.take("F", "force", force)
@@ -149,13 +144,7 @@ def _life(
 
 
 def judged_steps(results: Results) -> list[Step]:
-    """Steps of the contact of a design that is judged.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design with a load and a contact.
-    """
+    """Steps of the contact of a design that is judged."""
     design, found, force = results.design, results.hertz, results.judged_forces
     length, radius, hole = design.nominal_pair
     real = isinstance(force, RealForces)

@@ -7,13 +7,7 @@ from core.worked.step import Sheet, Step
 
 
 def loss_steps(results: Results) -> list[Step]:
-    """Steps of friction and wear.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design with friction, or with rollers.
-    """
+    """Steps of friction and wear."""
     found, design = results.losses.pins, results.design
     contact, friction = design.contact, design.output_friction
     radius, slow = ("r_in", "") if isinstance(found.rubbing, BarePins) else ("r_s", "*r_p/r_s")

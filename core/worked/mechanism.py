@@ -32,14 +32,8 @@ def cyclogram_steps(
     teeth: tuple[int, int] | None = None,
     satellite_teeth: int | None = None,
 ) -> list[Step]:
-    """Steps of the cyclogram.
-
-    Parameters
-    ----------
-    teeth : tuple of int, optional
-        Teeth of satellite and ring, if the ratio is given by them.
-    satellite_teeth : int, optional
-        Teeth of a satellite, for the angles of assembly.
+    """Steps of the cyclogram. `teeth` are those of satellite and ring, if the ratio is given by
+    them; `satellite_teeth` are for the angles of assembly.
     """
     sheet = Sheet(found)
     slower = sheet.take_ratio(mechanism.ratio).replace("*", "/")
@@ -91,16 +85,9 @@ def force_steps(
     driven_by: tuple[float, float] | None = None,
     judged: bool = True,
 ) -> list[Step]:
-    """Steps of the contact force.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-        Pairs that drive; those that carry, if they do not all.
-    driven_by : tuple of float, optional
-        Torque of the crank, N*m, and efficiency, if the torque is given by these.
-    judged : bool, optional
-        False if other forces are solved and judged.
+    """Steps of the contact force. The mechanism has the pairs that drive, or those that carry, if
+    they do not all. `driven_by` are the torque of the crank, N*m, and the efficiency, if the torque
+    is given by these; `judged` is False if other forces are solved and judged.
     """
     sheet = Sheet(found)
     wave = sheet.take_ratio(mechanism.ratio)

@@ -48,13 +48,7 @@ def take_speed(sheet: Sheet, *, results: Results) -> None:
 
 
 def member_steps(results: Results) -> list[Step]:
-    """Steps of ratio, torques, speeds and powers of crank, pins and ring.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design with a load.
-    """
+    """Steps of ratio, torques, speeds and powers of crank, pins and ring."""
     found, design = results.member_loads, results.design
     members = design.members
     if members.output == "coupling":

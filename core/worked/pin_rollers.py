@@ -15,13 +15,7 @@ LEFT = {
 
 
 def roller_steps(results: Results) -> list[Step]:
-    """Steps of the roller that is loaded most.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design with rollers.
-    """
+    """Steps of the roller that is loaded most."""
     design, found = results.design, results.roller_loads
     own, elements, sheet = design.rollers, KINDS[design.rollers.kind], Sheet(found)
     wave = sheet.take_ratio(design.mechanism.ratio)

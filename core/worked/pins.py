@@ -33,15 +33,7 @@ def static_step(
 
 
 def strength_steps(*, results: Results, found: PinStrength, deflection: bool) -> list[Step]:
-    """Steps of the strength of the pins.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design with a pin.
-    deflection : bool
-        True if deflection and slope are wanted.
-    """
+    """Steps of the strength of the pins. True for `deflection` adds deflection and slope."""
     sheet, pin, design = Sheet(found), results.bent_pin, results.design
     sheet.read(pin, d="diameter")
     sheet.take("d_i", "bore_diameter", pin.bore_diameter or None)

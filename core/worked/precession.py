@@ -36,14 +36,9 @@ def _sheet(gear: dict[str, float], line: ContactLine, found: object) -> Sheet:
 
 
 def line_steps(*, gear: dict[str, float], found: ContactLines, by_angle: bool) -> list[Step]:
-    """Steps of the contact line of the first roller; the others go the same way.
-
-    Parameters
-    ----------
-    gear : dict
-        `roller_circle_radius`, `roller_radius`, `nutation_angle`, `ratio_u12`.
-    by_angle : bool
-        True if the line is given by its polar angles.
+    """Steps of the contact line of the first roller; the others go the same way. `gear` has
+    `roller_circle_radius`, `roller_radius`, `nutation_angle`, `ratio_u12`; `by_angle` is True if
+    the line is given by its polar angles.
     """
     line = found.lines[0]
     sheet = _sheet(gear, line, found)
@@ -91,14 +86,8 @@ def _ends_by_angle(sheet: Sheet, line: ContactLine) -> str:
 def load_steps(
     *, gear: dict[str, float], found: MeshingLoad, torque: float, reference_z: float
 ) -> list[Step]:
-    """Steps of the load of the mesh.
-
-    Parameters
-    ----------
-    gear : dict
-        Sizes, see `line_steps`.
-    torque, reference_z : float
-        Torque M1, N*m, and place l of C, m.
+    """Steps of the load of the mesh. `gear` is as in `line_steps`; the torque M1 is in N*m, the
+    place l of C in m.
     """
     sheet = _sheet(gear, found.lines[0], found)
     sheet.take("M_1", "torque", torque)
@@ -140,14 +129,10 @@ def shaft_steps(
 ) -> list[Step]:
     """Steps of the shaft: reactions, deflections, strength, and the contact of the lines.
 
-    Parameters
-    ----------
-    shaft : dict
-        `shaft_sections` from C to the clamp, `bearing_distance`, `overhang`, `youngs_modulus`.
-    judged : dict, optional
-        Arguments of the strength: `basis`, `tensile_strength`, `yield_strength`.
-    contact : tuple, optional
-        Contact along the lines, and its `roller_radius`, `mating_radius`, `materials`.
+    `shaft` has `shaft_sections` from C to the clamp, `bearing_distance`, `overhang`,
+    `youngs_modulus`; `judged` the arguments of the strength: `basis`, `tensile_strength`,
+    `yield_strength`; `contact` the contact along the lines, and its `roller_radius`,
+    `mating_radius`, `materials`.
     """
     sheet, sections = Sheet(found), shaft["shaft_sections"]
     sheet.read(shaft, a="bearing_distance", b="overhang", E="youngs_modulus")

@@ -55,12 +55,8 @@ def disc_steps(disc: CycloidDisc) -> list[Step]:
 
 
 def ideal_ring_steps(*, disc: CycloidDisc, output_torque: float, satellites: int) -> list[Step]:
-    """Steps of the forces of perfect discs on many pins, and of their play.
-
-    Parameters
-    ----------
-    output_torque : float
-        Torque of all discs, N*m.
+    """Steps of the forces of perfect discs on many pins, and of their play. The torque is that of
+    all discs, N*m.
     """
     change, each = disc.modification, output_torque / satellites
     sheet = _sheet(disc, ideal_mesh(disc=disc, disc_torque=each))
@@ -80,14 +76,8 @@ def ideal_ring_steps(*, disc: CycloidDisc, output_torque: float, satellites: int
 def pressure_steps(
     *, mesh: CycloidMesh, crank_angle: float, force: ArrayLike, pressure: float
 ) -> list[Step]:
-    """Steps of the largest pressure of a mesh at a crank angle.
-
-    Parameters
-    ----------
-    force : array, K x z_p
-        Forces of all pairs there, N.
-    pressure : float
-        Largest pressure there, Pa.
+    """Steps of the largest pressure of a mesh at a crank angle. `force` are the forces of all pairs
+    there, N, K x z_p; `pressure` is in Pa.
     """
     disc = mesh.disc
     sheet = _sheet(disc)
@@ -126,16 +116,8 @@ def pressure_steps(
 def ring_loss_steps(
     *, loss: RingLoss, coefficient: float, torque: float, teeth: int, input_speed: float | None
 ) -> list[Step]:
-    """Steps of the friction of a mesh.
-
-    Parameters
-    ----------
-    torque : float
-        Torque on the output, N*m.
-    teeth : int
-        Lobes of a disc.
-    input_speed : float or None
-        Speed of the crank, rad/s.
+    """Steps of the friction of a mesh. The torque on the output is in N*m, `teeth` are the lobes of
+    a disc, the speed of the crank is in rad/s.
     """
     sheet = Sheet(loss)
     sheet.take("mu", "friction_coefficient", coefficient)
@@ -184,11 +166,6 @@ def involute_steps(pair: InvolutePair) -> list[Step]:
 def ring_steps(results: Results) -> list[Step]:
     """Steps of the mesh of a design with its ring: sizes; of cycloid discs pressure and friction
     under the torque.
-
-    Parameters
-    ----------
-    results : Results
-        Results of a design whose mesh is solved.
     """
     if results.design.gear.kind == "involute":
         return involute_steps(results.ring.pair)

@@ -30,16 +30,9 @@ def roller_steps(
     cycle: CycleFatigue | None = None,
     judged: dict[str, Any] | None = None,
 ) -> list[Step]:
-    """Steps of the strength of rollers.
-
-    Parameters
-    ----------
-    design : dict
-        Arguments of `core.rollers.roller_strength.roller_strength`.
-    cycle : CycleFatigue, optional
-        Fatigue of the rollers.
-    judged : dict, optional
-        Arguments of the fatigue: `basis`, `tensile_strength`, `yield_strength`, `rotates`.
+    """Steps of the strength of rollers. `design` has the arguments of
+    `core.rollers.roller_strength.roller_strength`, `judged` those of the fatigue: `basis`,
+    `tensile_strength`, `yield_strength`, `rotates`.
     """
     sheet, shear = Sheet(found), design["shear"]
     sheet.read(design, l="cylinder_length", b="sphere_width", D="sphere_diameter", d="diameter")
