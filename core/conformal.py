@@ -74,40 +74,9 @@ class ConformalContact(NamedTuple):
 
 
 class _Factors:
-    """Factors on the closed forms and their derivatives, by s = sin(eps/2); all 1 for beta = 0.
-    `s_turn` is the derivative of s by the variable of the search.
+    """Factors on the closed forms and their derivatives, by s = sin(eps/2): 1 plus sums of powers
+    of `_at(s)`, all 1 for beta = 0. `s_turn` is the derivative of s by the variable of the search.
     """
-
-    precise = 2 * ROUNDING  # step of Newton's method at which it ends
-
-    def balance(self, y: Number) -> tuple[Number, Number, Number, Number]:
-        """Factors on G and P_0, each followed by its derivative by ``y = b^2``."""
-        return 1.0, 0.0, 1.0, 0.0
-
-    def stiffness(self, s: Number, s_turn: Number = 0.0) -> tuple[Number, Number]:
-        """Factor on ``G = (1 - s^2)^2/(2*pi*s^2)`` and its derivative."""
-        return 1.0, 0.0
-
-    def mean(self, s: Number, s_turn: Number = 0.0) -> tuple[Number, Number]:
-        """Factor on P_0 and its derivative."""
-        return 1.0, 0.0
-
-    def middle(self, s: Number, s_turn: Number = 0.0) -> tuple[Number, Number]:
-        """Factor on P and its derivative."""
-        return 1.0, 0.0
-
-    def approach(self, s: Number) -> Number:
-        """Term of beta in ``local_approach - (1 + alpha)*P_0``, times pi."""
-        return 0.0
-
-
-_CLOSED = _Factors()
-
-
-class _OfBeta(_Factors):
-    """Factors of another beta: 1 plus sums of powers of `_at(s)` with the given coefficients."""
-
-    precise = 64 * ROUNDING
 
     def __init__(
         self,
@@ -115,9 +84,12 @@ class _OfBeta(_Factors):
         mean: list[Number],  # sum added to 1
         middle: list[Number],  # sum added to 1
         approach: list[Number],
+        *,
+        precise: float = 64 * ROUNDING,  # step of Newton's method at which it ends
     ) -> None:
         self._stiffness, self._mean = stiffness, mean
         self._middle, self._approach = middle, approach
+        self.precise = precise
 
     def balance(self, y: Number) -> tuple[Number, Number, Number, Number]:
         """Factors on G and P_0, each followed by its derivative by ``y = b^2``."""
@@ -125,7 +97,7 @@ class _OfBeta(_Factors):
         return *self.stiffness(s, s_turn), *self.mean(s, s_turn)
 
     def stiffness(self, s: Number, s_turn: Number = 0.0) -> tuple[Number, Number]:
-        """Factor on G and its derivative."""
+        """Factor on ``G = (1 - s^2)^2/(2*pi*s^2)`` and its derivative."""
         value, turn = _powers(self._stiffness, s)
         square = (1 - s) * (1 + s)
         over = value / (square * square)
@@ -144,6 +116,9 @@ class _OfBeta(_Factors):
     def approach(self, s: Number) -> Number:
         """Term of beta in ``local_approach - (1 + alpha)*P_0``, times pi."""
         return _powers(self._approach, s)[0]
+
+
+_CLOSED = _Factors([], [], [], [], precise=2 * ROUNDING)
 
 
 def conformal_contact(
@@ -399,15 +374,15 @@ def _factors(beta: Number) -> _Factors:
 
 
 @lru_cache(maxsize=256)
-def _factors_of(beta: float) -> _OfBeta:
+def _factors_of(beta: float) -> _Factors:
     return _factors_at(beta)
 
 
-def _factors_at(beta: Number) -> _OfBeta:
+def _factors_at(beta: Number) -> _Factors:
     found = ([*(beta * chebyshev.chebval(2 * beta, table))] for table in _tables())
     if isinstance(beta, float):
         found = ([float(each) for each in row] for row in found)
-    return _OfBeta(*found)
+    return _Factors(*found)
 
 
 @cache

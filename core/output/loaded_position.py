@@ -5,13 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.arrays import FloatArray, check_finite, check_single
-from core.errors import Accuracy, InvalidInput, Notice, poorly_known
+from core.arrays import FloatArray
+from core.errors import Accuracy, Notice, poorly_known
 from core.fields import answer, answered
 from core.hertz import HertzContact
 from core.output.elasticity import HertzLaw
 from core.output.real_mechanism import RealMechanism
-from core.output.stage import Solved
+from core.output.stage import Solved, check_torque
 
 LARGE_ROTATION = 0.1
 """Movement of the pins over the eccentricity above which a notice says that the lag is large."""
@@ -83,10 +83,7 @@ def loaded_position(
     >>> found.loaded_pairs, round(max(found.force[0]), 4)
     (3, 957.1068)
     """
-    check_single(crank_angle=crank_angle, output_torque=output_torque)
-    check_finite(crank_angle=crank_angle, output_torque=output_torque)
-    if output_torque == 0:
-        raise InvalidInput("output_torque", output_torque, "not_zero")
+    check_torque(output_torque, crank_angle=crank_angle)
     direction = math.copysign(1.0, output_torque)
     room = real.solved([real.wave(crank_angle)], output_torque)
     force = room.forces[0]

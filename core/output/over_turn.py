@@ -9,11 +9,11 @@ other positions narrows summits that may be higher, and the stated error include
 """
 
 import math
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
-from core.arrays import check_finite, check_single
 from core.drive.engine import HIGH, INPUT_TORQUE, LAG, LOST, PLAY, STIFFNESS
 from core.errors import Accuracy, InvalidInput, Notice, derived, poorly_known
 from core.fields import answered
@@ -22,6 +22,7 @@ from core.numerics.extremes import first_largest, second_look
 from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.real_mechanism import RealMechanism
+from core.output.stage import Stage, check_torque
 from core.output.summits import Grid, Summit, all_summits, summits
 from core.output.turn import Rows, Turn
 from core.precision import AS_TYPED, SAME
@@ -50,9 +51,24 @@ class Peak(NamedTuple):
 class OverTurn:
     """Extremes over the turn of the wave, each calculated when it is first asked for."""
 
-    def __init__(self, turn: Turn) -> None:
-        self.turn = turn
+    TURN: ClassVar[Callable[..., Turn]] = Turn
+    """Turn of the stage."""
+
+    def __init__(self, turn: Any) -> None:
+        self.turn: Turn = turn
         self.real: RealMechanism = turn.real
+
+    @classmethod
+    def of(cls, real: Stage, output_torque: float, lost_motion_share: float) -> Self:
+        """Extremes of a stage under a torque; positions that cannot be are refused here."""
+        check_torque(output_torque, lost_motion_share=lost_motion_share)
+        if not lost_motion_share > 0:
+            raise InvalidInput("lost_motion_share", lost_motion_share, "greater_than", limit=0)
+        if not lost_motion_share <= 1:
+            raise InvalidInput("lost_motion_share", lost_motion_share, "less_than_equal", limit=1)
+        found = cls(cls.TURN(real, output_torque, lost_motion_share))
+        assert found.turn.coarse
+        return found
 
     def _grid(self, rows: Rows, name: str, sign: int = 1) -> Grid:
         heights = rows["high"] - rows["low"] if name == "backlash" else rows[name]
@@ -366,14 +382,4 @@ def over_turn(
     >>> round(turn.peak_force, 4), round(turn.backlash_max, 10), round(turn.backlash_min, 10)
     (957.1068, 0.0021647844, 0.002)
     """
-    check_single(output_torque=output_torque, lost_motion_share=lost_motion_share)
-    check_finite(output_torque=output_torque)
-    if output_torque == 0:
-        raise InvalidInput("output_torque", output_torque, "not_zero")
-    if not lost_motion_share > 0:
-        raise InvalidInput("lost_motion_share", lost_motion_share, "greater_than", limit=0)
-    if not lost_motion_share <= 1:
-        raise InvalidInput("lost_motion_share", lost_motion_share, "less_than_equal", limit=1)
-    found = OverTurn(Turn(real, output_torque, lost_motion_share))
-    assert found.turn.coarse  # positions that cannot be are refused here
-    return found
+    return OverTurn.of(real, output_torque, lost_motion_share)

@@ -70,9 +70,9 @@ def bolt_preload(*, tightening_torque: float, core_diameter: float) -> float:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Grip:
-    """Bolt and spacer under the largest loads of the root, if the preload is not known.
+    """Bolt and spacer under the largest loads of the root.
 
-    Nothing is then known to open, to slip or to hold.
+    Without a preload nothing is known to open, to slip or to hold.
     """
 
     moment: float = answer("Nm", "M")
@@ -92,12 +92,12 @@ class Grip:
     @property
     def opens(self) -> bool:
         """True if the spacer opens at its root."""
-        return False
+        return self.opening_moment is not None and self.moment > self.opening_moment
 
     @property
     def slips(self) -> bool:
         """True if the spacer slips at its root, with the safety against slipping."""
-        return False
+        return self.slip_force is not None and self.shear_force > self.slip_force / SLIP_SAFETY
 
     @property
     @answered()
@@ -105,30 +105,7 @@ class Grip:
         """True if the preload holds the spacer, which then bends as the pin; otherwise the bolt
         alone is the pin.
         """
-        return False
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PreloadedGrip(Grip):
-    """Bolt and spacer under a known preload and the largest loads of the root."""
-
-    opening_moment: float  # N*m
-    slip_force: float  # N
-
-    @property
-    def opens(self) -> bool:
-        """True if the moment is beyond the opening moment."""
-        return self.moment > self.opening_moment
-
-    @property
-    def slips(self) -> bool:
-        """True if the shear force is beyond the slip force over `SLIP_SAFETY`."""
-        return self.shear_force > self.slip_force / SLIP_SAFETY
-
-    @property
-    def holds(self) -> bool:
-        """True if the spacer neither opens nor slips."""
-        return not (self.opens or self.slips)
+        return self.opening_moment is not None and not (self.opens or self.slips)
 
 
 def grip(
@@ -162,7 +139,7 @@ def grip(
     if bolt.preload is None:
         return Grip(**found)
     least = bolt.preload / bolt.preload_scatter
-    return PreloadedGrip(
+    return Grip(
         **found,
         opening_moment=least * (diameter**2 + bore**2) / (8 * diameter),
         slip_force=bolt.friction_coefficient * least,

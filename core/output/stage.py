@@ -12,11 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from core.arrays import BoolArray, ComplexArray, FloatArray
+from core.arrays import BoolArray, ComplexArray, FloatArray, check_finite, check_single
 from core.drive import engine
 from core.drive.engine import Drive, Work
 from core.drive.model import Pieces, work_for
-from core.errors import ImpossibleMechanism
+from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.mechanism import Mechanism
 from core.precision import ROUNDING
 
@@ -32,6 +32,14 @@ CLASS = 5 * engine.CLASS
 
 ROUNDED = 32 * ROUNDING
 """Relative rounding error of the displacements."""
+
+
+def check_torque(output_torque: float, **others: float) -> None:
+    """Refuse an output torque, N*m, of 0, and numbers, given by name, that are not finite."""
+    check_single(output_torque=output_torque, **others)
+    check_finite(output_torque=output_torque, **others)
+    if output_torque == 0:
+        raise InvalidInput("output_torque", output_torque, "not_zero")
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,17 +12,16 @@ from functools import cached_property
 
 import numpy as np
 
-from core.arrays import FloatArray, check_finite, check_single
+from core.arrays import FloatArray
 from core.drive import engine
 from core.drive.model import Pieces
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.fields import answer
-from core.hertz import HertzContact
-from core.output.loaded_position import notices
+from core.output.loaded_position import LoadedPosition, notices
 from core.output.mechanism import Mechanism
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations, Rooms
-from core.output.stage import Solved, Stage
+from core.output.stage import Solved, Stage, check_torque
 from core.precision import SAME
 from core.ring.drives import series_drive
 from core.ring.sharing import CycloidMesh
@@ -190,35 +189,19 @@ class RingPart:
     twice the lag at which they exert no torque on it."""
 
 
-@dataclass(frozen=True, slots=True)
-class SeriesPosition:
-    """Both meshes at one crank angle under load."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SeriesPosition(LoadedPosition):
+    """Both meshes at one crank angle under load; forces and contacts are those of output pins.
 
-    crank_angle: float  # given crank angle, rad
-    rotation: float  # angular deflection of the output, rad; negative in reverse
-    force: tuple[tuple[float, ...], ...]  # force of each output pin on each disc, N, K x N
-    satellite_torque: tuple[float, ...]  # torque of each disc about its centre, N*m, K values
-    satellite_rotation: tuple[float, ...]  # lag of the output behind each disc, rad, K values
-    loaded_pairs: int  # number of pairs of output pins and holes with a force
-    # Least and largest lag of the unloaded output, rad; None if the output has no play.
-    play: tuple[float, float] | None
-    # Length by which all gaps have to grow until no pair presses, m; None if pairs are free.
-    interference: float | None
-    stiffness: float  # dT/dtheta of both meshes, N*m/rad
-    contacts: tuple[HertzContact, ...]  # contact of the output pin with the largest pressure
+    The interference is the length by which all gaps have to grow until no pair presses.
+    """
+
     ring: RingPart  # forces and deflections of the ring mesh
     crank_force: tuple[float, ...]  # force of ring and pins on each crank, N, K values
     # Force of ring and pins across each crank, against its turning, N, K values. The eccentricities
     # times these forces sum to the crank's torque in exact geometry if discs do not float.
     across: tuple[float, ...]
     input_torque: float  # torque that turns the crank without friction, N*m
-    accuracy: Accuracy  # error of the forces over the largest force
-    notices: tuple[Notice, ...]
-
-    @property
-    def max_pressure(self) -> float:
-        """Largest pressure on the output pins, Pa."""
-        return float(max(each.governing_pressure for each in self.contacts))
 
 
 def series_position(
@@ -256,10 +239,7 @@ def series_position(
     >>> round(found.rotation/sum(alone), 12)
     1.0
     """
-    check_single(crank_angle=crank_angle, output_torque=output_torque)
-    check_finite(crank_angle=crank_angle, output_torque=output_torque)
-    if output_torque == 0:
-        raise InvalidInput("output_torque", output_torque, "not_zero")
+    check_torque(output_torque, crank_angle=crank_angle)
     way, angle = math.copysign(1.0, output_torque), real.wave(crank_angle)
     discs = slice(1, 1 + real.mechanism.satellites)
     room = real.solved([angle], output_torque)

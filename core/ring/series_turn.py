@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.arrays import ComplexArray, FloatArray, check_finite, check_single
+from core.arrays import ComplexArray, FloatArray
 from core.drive import engine
-from core.errors import InvalidInput, Notice, derived, poorly_known
+from core.errors import Notice, derived, poorly_known
 from core.fields import answer
 from core.numerics.extremes import first_largest
 from core.output.contact_force import PairNumber
@@ -134,6 +134,8 @@ class SeriesOverTurn(OverTurn):
     Forces and pairs are those of the output pins; `ring` has those of the ring pins.
     """
 
+    TURN = SeriesTurn
+
     def __init__(self, turn: SeriesTurn) -> None:
         super().__init__(turn)
         self.series: MeshesInSeries = turn.real
@@ -245,13 +247,4 @@ def series_over_turn(
     >>> round(found.peak_force, 6), round(found.ring.peak_force, 4)
     (624.616606, 686.7476)
     """
-    check_single(output_torque=output_torque, lost_motion_share=lost_motion_share)
-    check_finite(output_torque=output_torque)
-    if output_torque == 0:
-        raise InvalidInput("output_torque", output_torque, "not_zero")
-    if not 0 < lost_motion_share <= 1:
-        code, limit = ("greater_than", 0) if lost_motion_share <= 0 else ("less_than_equal", 1)
-        raise InvalidInput("lost_motion_share", lost_motion_share, code, limit=limit)
-    found = SeriesOverTurn(SeriesTurn(real, output_torque, lost_motion_share))
-    assert found.turn.coarse  # raises for positions without an equilibrium
-    return found
+    return SeriesOverTurn.of(real, output_torque, lost_motion_share)

@@ -34,8 +34,7 @@ from core.output.elasticity import (
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn
 from core.output.real_turn import CloseSamples, close_samples
-from core.output.stage import Solved, Stage
-from core.output.turn import Turn
+from core.output.stage import Solved, Stage, check_torque
 from core.ring.drives import ring_drive
 from core.ring.profile import CycloidDisc, Modification
 
@@ -290,10 +289,7 @@ def mesh_position(*, mesh: CycloidMesh, crank_angle: float, output_torque: float
     >>> round(found.crank_across[0], 6), round(max(found.force[0]), 6)
     (1599.968001, 212.944548)
     """
-    check_single(crank_angle=crank_angle, output_torque=output_torque)
-    check_finite(crank_angle=crank_angle, output_torque=output_torque)
-    if output_torque == 0:
-        raise InvalidInput("output_torque", output_torque, "not_zero")
+    check_torque(output_torque, crank_angle=crank_angle)
     room = mesh.solved([mesh.wave(crank_angle)], output_torque)
     w, pairs = room.work.w, room.contacts(engine.LOBE)
     force, far = room.forces[0, pairs], w[pairs, engine.SLIDE]
@@ -534,16 +530,7 @@ def mesh_over_turn(
     >>> round(mesh_over_turn(mesh=mesh, output_torque=30.0).peak_force, 5)
     333.54715
     """
-    check_single(output_torque=output_torque, lost_motion_share=lost_motion_share)
-    check_finite(output_torque=output_torque)
-    if output_torque == 0:
-        raise InvalidInput("output_torque", output_torque, "not_zero")
-    if not 0 < lost_motion_share <= 1:
-        code, limit = ("greater_than", 0) if lost_motion_share <= 0 else ("less_than_equal", 1)
-        raise InvalidInput("lost_motion_share", lost_motion_share, code, limit=limit)
-    found = MeshTurn(Turn(mesh, output_torque, lost_motion_share))
-    assert found.turn.coarse  # raises for positions without an equilibrium
-    return found
+    return MeshTurn.of(mesh, output_torque, lost_motion_share)
 
 
 @dataclass(frozen=True, slots=True)

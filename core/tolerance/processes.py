@@ -5,8 +5,11 @@ the finished part, by services and makers who publish them. Sources differ by a 
 of these numbers is a standard.
 """
 
+import csv
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Literal, get_args
+from pathlib import Path
+from typing import Any, Literal, get_args
 
 from core.fields import answer, answered
 from core.tolerance.iso286 import Limits
@@ -53,103 +56,30 @@ class Process:
         return self.hole if of == "hole" else self.pin
 
 
-def _mm(lower: float, upper: float) -> Limits:
-    return Limits(lower / 1000, upper / 1000)
+def _size(said: str) -> Size:
+    """Size of a table's entry: limits in mm, a class, or none."""
+    lower, _, upper = said.partition(" ")
+    return Limits(float(lower) / 1000, float(upper) / 1000) if upper else said or None
 
 
-PROCESSES = {
-    each.code: each
-    for each in (
-        Process(
-            code="fdm",
-            title="Printed from filament",
-            hole=_mm(-0.40, 0.0),
-            pin=_mm(0.0, 0.20),
-            position=0.3e-3,
-            clearance=0.25e-3,
-            clearances=(0.15e-3, 0.5e-3),
-            source="Layer X (holes 0.1 to 0.3 mm under size, ±0.3 mm); Makelab (±0.2 mm); Rigid "
-            "Prints (±0.2 to ±0.4 mm by material); Forge Labs (moving parts 0.5 mm all round)",
-        ),
-        Process(
-            code="sla",
-            title="Printed from resin",
-            hole=_mm(-0.10, 0.10),
-            pin=_mm(-0.10, 0.10),
-            position=0.2e-3,
-            clearance=0.15e-3,
-            clearances=(0.125e-3, 0.25e-3),
-            source="Makelab (±0.1 mm, ±0.15 mm at 100 mm); Forge Labs (±0.25 % or ±0.25 mm); "
-            "Additive3D Asia (±0.2 mm)",
-        ),
-        Process(
-            code="sls",
-            title="Sintered powder (SLS)",
-            hole=_mm(-0.30, 0.10),
-            pin=_mm(-0.20, 0.20),
-            position=0.3e-3,
-            clearance=0.25e-3,
-            clearances=(0.15e-3, 0.3e-3),
-            source="Brisk (moving parts 0.3 mm at least, 0.5 to 0.6 mm); Protolabs (±0.25 mm); "
-            "Materialise (0.5 to 0.6 mm)",
-        ),
-        Process(
-            code="mjf",
-            title="Fused powder (MJF)",
-            hole=_mm(-0.30, 0.30),
-            pin=_mm(-0.30, 0.30),
-            position=0.4e-3,
-            clearance=0.25e-3,
-            clearances=(0.25e-3, 0.25e-3),
-            source="Tronix3D and HP (±0.30 mm and 0.002 mm/mm; 0.5 mm); Protolabs (±0.305 mm); "
-            "Makelab (±0.3 mm)",
-        ),
-        Process(
-            code="laser_cut",
-            title="Cut by laser",
-            hole=_mm(-0.25, 0.25),
-            pin=None,
-            position=0.25e-3,
-            clearance=0.15e-3,
-            clearances=(0.15e-3, 0.15e-3),
-            source="Big Blue Saw (holes ±0.25 mm, places 0.13 mm); Snijlab by ISO 9013-1 (sheet to "
-            "3 mm ±0.2 mm, to 6 mm ±0.3 to ±0.4 mm); kerf and taper not compensated",
-        ),
-        Process(
-            code="milled",
-            title="Milled, holes reamed, drawn pins",
-            hole=_mm(-0.025, 0.025),
-            pin="h6",
-            position=0.1e-3,
-            clearance=0.03e-3,
-            clearances=(0.03e-3, 0.03e-3),
-            source="FOB Proto (reamed ±0.025 mm; drilled +0.1 to +0.3 mm); Protolabs (±0.127 mm in "
-            "general); ISO 2768-f (±0.1 mm to 30 mm)",
-        ),
-        Process(
-            code="precise",
-            title="Milled precisely, ground pins",
-            hole="H7",
-            pin="h6",
-            position=0.03e-3,
-            clearance=0.015e-3,
-            clearances=(0.01e-3, 0.02e-3),
-            source="FOB Proto (precision reamed ±0.015 mm, bored ±0.010 mm); the zone of places is "
-            "an estimate",
-        ),
-        Process(
-            code="ground",
-            title="Jig bored or ground",
-            hole="H6",
-            pin="h5",
-            position=0.01e-3,
-            clearance=0.005e-3,
-            clearances=(0.005e-3, 0.005e-3),
-            source="FOB Proto (jig bored ±0.005 mm, places ±0.003 mm; ground ±0.003 mm); "
-            "ChinaMachPro (IT6 by grinding)",
-        ),
-    )
-}
+def _read() -> Iterator[Process]:
+    """Processes of the table, whose lengths but limits are in m."""
+    with Path(__file__).with_suffix(".csv").open(encoding="utf-8", newline="") as lines:
+        for row in csv.DictReader(lines):
+            code: Any = row["code"]
+            yield Process(
+                code=code,
+                title=row["title"],
+                hole=_size(row["hole"]),
+                pin=_size(row["pin"]),
+                position=float(row["position"]),
+                clearance=float(row["clearance"]),
+                clearances=(float(row["least"]), float(row["most"])),
+                source=row["source"],
+            )
+
+
+PROCESSES = {each.code: each for each in _read()}
 """Processes by code, from coarse to fine."""
 
 assert {*PROCESSES} == {*get_args(ProcessName)}
