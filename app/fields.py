@@ -4,7 +4,7 @@ conversion to SI units follow.
 """
 
 import math
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import MISSING, fields, is_dataclass
 from functools import cache, cached_property, reduce
 from itertools import chain
@@ -16,14 +16,13 @@ from typing import (
     Any,
     ClassVar,
     NamedTuple,
-    Self,
     TypeVar,
     cast,
     get_args,
     get_type_hints,
 )
 
-from pydantic import AfterValidator, BeforeValidator, model_validator
+from pydantic import AfterValidator, BeforeValidator
 from pydantic import Field as Limits
 from pydantic.fields import FieldInfo
 
@@ -38,11 +37,10 @@ from app.model import (
     quantity,
     whole,
 )
-from app.rules import Rule, field_error
-from app.units import Convert, from_si, refusal_params
+from app.rules import Rule
+from app.units import Convert, from_si
 from core.design.stated import filled as filled_by_core
 from core.design.stated import section as section_of
-from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.fields import Input, help_of
 
 Request = TypeVar("Request", bound=RequestModel)
@@ -106,13 +104,6 @@ class SectionFields(RequestModel):
             cls.DOCUMENT = of
         super().__init_subclass__(group=group, **config)
 
-    WITHIN: ClassVar[bool] = False
-    """True if the section needs values of others."""
-
-    @model_validator(mode="after")
-    def _as_core_takes_it(self) -> Self:
-        return self if self.WITHIN else as_core_takes_it(self, lambda: self.made)
-
     @cached_property
     def stated(self) -> dict[str, Any]:
         """Stated values in SI units, by their names in core."""
@@ -143,20 +134,6 @@ class SectionFields(RequestModel):
         return {name: from_si(name, usual[core]) for name, core in named if core in usual}
 
 
-def as_core_takes_it(request: Request, make: Callable[[], Any]) -> Request:
-    """Request from which core makes something; what core refuses of it is the error of a field."""
-    try:
-        make()
-    except (NotKnown, ImpossibleMechanism):
-        pass  # answered where the section is used
-    except InvalidInput as error:
-        path = request.path_of(error.parameter)
-        if path or not isinstance(request, SectionFields):  # else the document names it
-            params = refusal_params(error.code, error.params, path)
-            raise field_error("/".join(map(str, path)), error.code, **params) from error
-    return request
-
-
 class RequestField(NamedTuple):
     """Field of a dataclass, as requests have it."""
 
@@ -173,8 +150,9 @@ class RequestField(NamedTuple):
 
 @cache
 def request_fields(kind: Any) -> tuple[RequestField, ...]:
-    """Fields of a dataclass that requests have."""
-    hints, helps, found = get_type_hints(kind), help_of(kind), []
+    """Fields of a dataclass that requests have, with those from which others follow."""
+    found = [*request_fields(kind.FOLLOWS_FROM)] if hasattr(kind, "FOLLOWS_FROM") else []
+    hints, helps = get_type_hints(kind), help_of(kind)
     for each in fields(kind):
         if own := each.metadata.get("input"):
             name = f"{each.name}_{own.unit}".removesuffix("_")
@@ -217,7 +195,14 @@ def _give_fields(
 
 
 def _give_rules(cls: Any, kinds: Collection[Any], names: Mapping[str, str]) -> None:
-    """Give a model the rules of dataclasses between fields that it has."""
+    """Give a model the rules of dataclasses between fields that it has, and the kinds of one."""
+    for kind in kinds:
+        if hasattr(kind, "KINDS"):
+            cls.KIND = names[kind.KIND]
+            cls.KINDS = {
+                each: tuple(tuple(names[name] for name in part) for part in parts)
+                for each, parts in kind.KINDS.items()
+            }
     forms = chain.from_iterable(getattr(kind, "ALTERNATIVES", ()) for kind in kinds)
     rules = chain.from_iterable(getattr(kind, "BETWEEN", ()) for kind in kinds)
     if "ALTERNATIVES" not in vars(cls):
@@ -241,7 +226,12 @@ def _field(each: RequestField, given: dict[str, Any]) -> Any:
         given["alias"] = about.alias
     if not about.title:
         return Limits(description=each.help, **given)
-    more = {"x-options": [*about.options], "pattern": about.pattern and f"^{about.pattern}$"}
+    least = about.least
+    more = {
+        "x-options": [*about.options],
+        "pattern": about.pattern and f"^{about.pattern}$",
+        "anyOf": least and [{"minimum": least}, {"maximum": -least}],
+    }
     given["schema"] = (NO_DUST if about.or_zero else {}) | {k: v for k, v in more.items() if v}
     given |= {"help": each.help, "step": about.step, "advanced": about.advanced}
     return quantity(about.title, about.symbol, **given)

@@ -5,7 +5,7 @@ import re
 import time
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property, lru_cache, reduce
+from functools import cache, cached_property, lru_cache, partial, reduce
 from itertools import chain
 from operator import or_
 from types import NoneType
@@ -58,7 +58,7 @@ from app.units import (
 )
 from core.arrays import FloatArray
 from core.codes import WARNINGS, WAS
-from core.errors import METHODS, Accuracy, Notice, NotKnown
+from core.errors import METHODS, Accuracy, Notice, NotKnown, within
 from core.fields import LARGEST as LARGEST
 from core.fields import SMALLEST, quantities_of
 from core.hertz import Spread
@@ -296,7 +296,10 @@ class RequestModel(BaseModel):
     def to_core(self) -> dict[str, Any]:
         """Given fields as the core's arguments, in SI units."""
         plan = _core_plan(type(self))
-        return {plan[name].core: plan[name].convert(value) for name, value in self.given.items()}
+        return {
+            plan[name].core: within(plan[name].core, partial(plan[name].convert, value))
+            for name, value in self.given.items()
+        }
 
     @property
     def not_used(self) -> list[str]:
@@ -360,7 +363,9 @@ def core_names(model: type[RequestModel]) -> dict[str, str]:
 
 
 def _section(part: Any) -> Any:
-    return tuple(map(_section, part)) if isinstance(part, list) else part.section()
+    if not isinstance(part, list):
+        return part.section()
+    return tuple(within(f"[{n}]", partial(_section, each)) for n, each in enumerate(part))
 
 
 def quantity(

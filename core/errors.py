@@ -97,6 +97,17 @@ def required(value: Value | None, code: str, *missing: str) -> Value:
     return value
 
 
+def within(path: str, make: Callable[[], Value], /) -> Value:
+    """Part that is made for a place of a document; a refusal names the place."""
+    try:
+        return make()
+    except InvalidInput as error:
+        own = error.parameter
+        if not own.startswith(f"{path}."):
+            error.parameter = f"{path}{own}" if own.startswith("[") else f"{path}.{own}"
+        raise
+
+
 UNKNOWN = (NotKnown, ImpossibleMechanism)
 """Exceptions that leave a result of a design unknown."""
 

@@ -25,7 +25,8 @@ Forms = tuple[tuple[str, ...], ...]
 optional."""
 
 Kinds = Mapping[Any, tuple[tuple[str, ...], tuple[str, ...]]]
-"""Needed and optional fields of each kind; None for no kind. Fields in no kind belong to all."""
+"""Needed and optional fields of each kind; None for no kind. Fields in no kind belong to all. The
+field of the kind is `KIND` of the dataclass."""
 
 
 class Rule(NamedTuple):
@@ -53,6 +54,7 @@ class Input:
     options: tuple[str, ...] = ()  # names that the form offers
     alias: str = ""  # name in the document, if it is no name in Python
     pattern: str = ""  # form of a text, which its dataclass checks
+    least: float | None = None  # least amount of a number of either sign, which core checks
     # True if small values other than 0 are refused, as they lose digits.
     or_zero: bool = False
     # True if the document may leave a needed value out, as another one gives it.

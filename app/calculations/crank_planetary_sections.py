@@ -225,7 +225,8 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
     def notices(self) -> tuple[Notice, ...]:
         """Notices, also of unknown deviations of a ring whose mesh is judged."""
         found = super().notices()
-        if self.says("gear/modification") and not self.lists_ring_pins:
+        made = self.design.deviations
+        if self.says("gear/modification") and not (made and made.of_ring):
             found += (Notice("ring_deviations_unknown"),)
         return found
 

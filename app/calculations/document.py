@@ -4,8 +4,9 @@ them needs of it.
 
 import math
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import chain
 from typing import Any, ClassVar, Literal, Self, TypeVar, cast
 
@@ -19,7 +20,6 @@ from app.calculations.mechanism import PinContactFields
 from app.calculations.pin import PinFields
 from app.calculations.ring import RingFields
 from app.calculations.sections import (
-    RING_PIN_LISTS,
     BearingFields,
     CrankshaftFields,
     CrankSupportFields,
@@ -32,15 +32,14 @@ from app.calculations.sections import (
     TemperaturesFields,
 )
 from app.calculations.tolerances import TolerancesFields
-from app.fields import as_core_takes_it
 from app.model import Maybe, RequestModel, Values, notices_of, result
 from app.rules import field_error
 from app.settings import Settings
 from core.arrays import FloatArray
 from core.design.document import Design
 from core.design.results import Results
-from core.design.stated import KINDS, design_of, refuse_contradictions
-from core.errors import CalculationError, Notice, if_known
+from core.design.stated import KINDS, design_of
+from core.errors import UNKNOWN, CalculationError, Notice, if_known, within
 from core.output.contact_force import drawing_angles
 from core.output.mechanism import Members
 
@@ -124,10 +123,6 @@ class DocumentFields(RequestModel):
     requirements: ScopedRequirementsFields = Field(default_factory=ScopedRequirementsFields)
 
     @model_validator(mode="after")
-    def _agrees(self) -> Self:
-        return as_core_takes_it(self, lambda: refuse_contradictions(self.stated))
-
-    @model_validator(mode="after")
     def _has_what_it_needs(self) -> Self:
         for part in self.needs():
             if not self.has(part):
@@ -177,11 +172,6 @@ class DocumentFields(RequestModel):
         """Kind of the mesh with the ring, if a ring is given and states it."""
         return self.gear.kind if self.gear else None
 
-    @property
-    def lists_ring_pins(self) -> bool:
-        """True if deviations of ring pins are listed."""
-        return any(self.says(f"deviations/{name}") for name in RING_PIN_LISTS)
-
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Assumed values of used sections, with the material of pins taken from the contact."""
         yield from ((path, each) for path, each in super().assumed() if path[0] in self.uses)
@@ -212,14 +202,10 @@ class DocumentFields(RequestModel):
         return math.inf
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse too many pairs, and lists that do not fit the mechanism."""
+        """Refuse too many pairs, and a document that contradicts itself."""
         self.mechanism.refuse_beyond(settings)
-        satellites, pins = self.mechanism.satellites, self.mechanism.pins
-        if coupling := self.satellite_coupling:
-            coupling.refuse_other_shares(satellites)
-        if self.deviations is not None:
-            known = if_known(lambda: self.design.ring_pins) if self.lists_ring_pins else None
-            self.deviations.refuse_other_lengths(pins, satellites, known)
+        with suppress(*UNKNOWN):  # answered where it is asked for
+            assert self.design
         super().refuse_beyond(settings)
 
     @property
@@ -235,7 +221,10 @@ class DocumentFields(RequestModel):
     @cached_property
     def stated(self) -> dict[str, Values]:
         """Stated values of all sections in SI units."""
-        given = {name: self.given[name].stated for name in KINDS if name in self.given}
+        parts = {name: self.given[name] for name in KINDS if name in self.given}
+        given = {
+            name: within(name, partial(getattr, each, "stated")) for name, each in parts.items()
+        }
         if self.load and self.older_factor is not None:
             factor = {"application_factor": self.older_factor}
             given["load"] = given["load"] | factor

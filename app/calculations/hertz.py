@@ -224,8 +224,6 @@ class ContactFields(
     pin_material: Material = "steel_bearing"
     hole_material: Material = "steel_through_hardened"
 
-    WITHIN: ClassVar[bool] = True
-
     ASSUMED: ClassVar[tuple[str, ...]] = ("pin_material", "hole_material")
 
     def limits(self) -> list[tuple[str, float]]:

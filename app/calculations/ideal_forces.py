@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import replace
-from typing import Any, ClassVar, Literal
+from typing import Any, Literal
 
 import numpy as np
 from pydantic import Field
@@ -14,13 +14,11 @@ from app.model import (
     Maybe,
     RequestModel,
     ResponseModel,
-    Size,
     Values,
     Whole,
     quantity,
     result,
 )
-from app.rules import Forms
 from app.settings import Settings
 from app.units import UNITS, from_si, rounded, to_si
 from core.arrays import FloatArray
@@ -174,22 +172,13 @@ class CyclogramResponse(AssumingResponse, of=Cyclogram):
 class TorqueFields(
     SectionFields,
     of=Load,
-    only=("output_torque", "pin_circle_radius", "force_exponent"),
+    only=(
+        *("output_torque", "input_torque", "efficiency"),
+        *("pin_circle_radius", "force_exponent"),
+    ),
     group="load",
 ):
     """Torque, lever and load sharing of the pins."""
-
-    WITHIN: ClassVar[bool] = True
-
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
-        (("output_torque_Nm",), ("input_torque_Nm", "efficiency"), ()),
-    )
-
-    input_torque_Nm: Maybe[Size] = quantity("Input torque", "T₁", step=1)
-    """Torque on the crankshaft, from which T = T₁·i·η follows; i is u, or u + 1 if the ring is the
-    output."""
-    efficiency: Maybe[float] = quantity("Efficiency", "η", step=0.01, ge=1e-3, le=1)
-    """Efficiency of the reducer, needed with the input torque."""
 
     def force_given(self, members: Members) -> dict[str, Any]:
         """Load as the worked steps of the force take it."""

@@ -2,11 +2,10 @@
 clearance and the sizes that follow; and the fit of pins in holes.
 """
 
-import re
 from collections.abc import Iterator
-from typing import Annotated, Any, ClassVar, Literal, Self
+from typing import Any, ClassVar, Self
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from app.calculations.hertz import ContactFields, of_load_factor
 from app.fields import SectionFields
@@ -15,17 +14,16 @@ from app.model import (
     ResponseModel,
     Size,
     Values,
-    Whole,
     quantity,
 )
-from app.rules import Forms, Kinds, Rule, field_error
+from app.rules import field_error
 from app.settings import Settings
 from app.units import from_si
 from core.design.contact import Contact
 from core.design.document import mechanism_of
 from core.design.sections import MAX_PAIRS as MAX_PAIRS
 from core.design.sections import MechanismSection
-from core.design.tolerances import class_pattern
+from core.design.stated import satellites_of
 from core.errors import InvalidInput, Notice
 from core.output.contact_force import PairNumber
 from core.output.mechanism import MAX_SATELLITES as MAX_SATELLITES
@@ -44,28 +42,10 @@ STEEP = 1.25
 pair begins to drive."""
 
 
-OF_RINGS = ("ratio", "satellite_teeth", "ring_teeth", "crank_spacing_deg", "crank_angles_deg")
-"""Fields of a mechanism that has a ring, and cranks."""
-
-
 class MechanismFields(SectionFields, of=MechanismSection, group="mechanism"):
     """Pins, satellites, cranks and ratio."""
 
-    WITHIN: ClassVar[bool] = False  # not that of a load whose fields a request has beside these
-
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
-        (("ratio",), ("output_ratio",), ("satellite_teeth", "ring_teeth"), ()),
-        (("crank_spacing_deg",), ("crank_angles_deg",), ()),
-    )
-    KIND: ClassVar[str] = "output"
     OF_OTHERS: ClassVar[tuple[str, str]] = ("of_other_output", "output")
-    KINDS: ClassVar[Kinds] = {
-        "pins": ((), OF_RINGS),
-        "ring": ((), (*OF_RINGS, "output_ratio")),
-        "both": ((), OF_RINGS),
-        "coupling": ((), ()),
-        "crankshafts": ((), OF_RINGS),
-    }
     RULES: ClassVar[tuple[dict[str, Any], ...]] = (
         {
             "if": {"properties": {"output": {"const": "coupling"}}, "required": ["output"]},
@@ -80,22 +60,6 @@ class MechanismFields(SectionFields, of=MechanismSection, group="mechanism"):
         },
     )
 
-    ratio: Maybe[float] = quantity(
-        "Ratio", "u", step=1, schema={"anyOf": [{"minimum": 1}, {"maximum": -1}]}, ge=-1e9, le=1e9
-    )
-    """Speed of the crank over that of the pins with the ring at rest, u = z₂/(z₃ − z₂), at least 1.
-    A negative sign, for pins that turn opposite to the crank, as they always do, is accepted and
-    ignored."""
-    output_ratio: Maybe[float] = quantity("Ratio of the output", "i", step=1, ge=2, le=1e9)
-    """Speed of the crank over that of the ring, i = u + 1, if the ring is the output."""
-    ring_teeth: Maybe[Whole] = quantity("Ring teeth", "z₃", step=1, ge=2, le=10**6)
-    """Number of teeth of the ring, larger than that of the satellite."""
-    output: Literal["pins", "ring", "both", "coupling", "crankshafts"] = quantity(
-        "Output", default="pins", advanced=True
-    )
-    """Output link: the pins with the ring at rest, the ring with the pins at rest, or both; or a
-    coupling, in which pins connect two shafts an eccentricity apart, without a ring. RV reducers,
-    whose crankshafts drive the output, are not calculated."""
     ASSUMED: ClassVar[tuple[str, ...]] = ("satellites",)
 
     @model_validator(mode="before")
@@ -111,8 +75,9 @@ class MechanismFields(SectionFields, of=MechanismSection, group="mechanism"):
 
     @model_validator(mode="after")
     def _counted(self) -> Self:
-        if self.output == "coupling" or self.crank_angles_deg:
-            self.satellites = self.made.satellites
+        follows = self.output == "coupling" or self.crank_angles_deg
+        if follows and "satellites" not in self.model_fields_set:
+            self.satellites = satellites_of(self.stated)
         return self
 
     @property
@@ -185,43 +150,15 @@ class PairOut(ResponseModel, of=PairNumber):
     """Pair of hole and pin by number."""
 
 
-Deviation = Annotated[float, Field(ge=-1e6, le=1e6)]
-
-
-USUAL_FITS = ["H7/g6", "H7/h6", "H7/f7", "H8/h7", "H8/f7", "H8/f8", "H9/f9"]
-"""Fits that the form offers."""
-
-FIT = f"^{class_pattern(of_pins=False)}/{class_pattern(of_pins=True)}$"
-
-
 class PinContactFields(ContactFields, of=Contact, group="contact"):
     """Crank, pin, hole and clearance. Any two of hole radius, eccentricity and clearance determine
     the third; a crank alone has an eccentricity.
     """
 
-    BETWEEN: ClassVar[tuple[Rule, ...]] = (
-        Rule("hole_radius_mm", "only_one", "fit"),
-        Rule("hole_clearance_mm", "only_one", "fit"),
-        Rule("eccentricity_mm", "needed_beside", "fit"),
-        Rule("eccentricity_mm", "needed_beside", "hole_clearance_mm"),
-    )
-
-    hole_clearance_mm: Maybe[Deviation] = quantity("Clearance", "c", step=0.005)
-    """Radial clearance: hole radius − pin radius − eccentricity. A negative value is interference,
-    and 0 means perfect parts. Forces and stresses depend on it more than on most sizes."""
-    fit: Maybe[str] = quantity("Fit", schema={"pattern": FIT, "x-options": USUAL_FITS})
-    """ISO 286 classes of hole and pin (or sleeve), such as H7/f7, given instead of the clearance,
-    which is half of the mean clearance of the two diameters."""
     dynamic_factor: Maybe[Size] = quantity(
         "Application factor", "K_A", step=0.05, schema={"deprecated": True}
     )
     """Older place of `load.application_factor`, as which it is read."""
-
-    @model_validator(mode="after")
-    def _known_classes(self) -> Self:
-        if self.fit is not None and not re.fullmatch(FIT, self.fit):
-            raise field_error("fit", "no_fit")
-        return self
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Assumed materials of pins and holes, and the eccentricity of a hole alone."""

@@ -25,8 +25,6 @@ class RingFields(SectionFields, of=RINGS, group="gear"):
         },
     )
 
-    WITHIN: ClassVar[bool] = True
-
     kind: Maybe[RingKind] = quantity("Ring")
     """Kind of ring: involute teeth, pins on which a cycloid disc rolls, or none, whose force along
     the crank is left out."""

@@ -8,8 +8,6 @@ from app.calculations.ideal_forces import LoadFields
 from app.calculations.named_bearing import NamedBearingFields
 from app.fields import SectionFields
 from app.model import quantity
-from app.problems import invalid_input, refusal, wrong
-from app.units import core_name
 from core.design.sections import (
     CatalogueBearing,
     Friction,
@@ -23,7 +21,7 @@ from core.design.sections import (
 )
 from core.errors import Notice
 from core.output.elasticity import COUPLINGS, CrankSupport
-from core.output.room import OF_RING_PINS, Deviations
+from core.output.room import Deviations
 
 
 class CrankSupportFields(SectionFields, of=CrankSupport, group="crank_support"):
@@ -40,49 +38,12 @@ class SatelliteCouplingFields(SectionFields, of=COUPLINGS, group="satellite_coup
     shares: each satellite carries a given share; ring: each satellite finds its place between the
     ring of `gear` and the pins, so that both meshes are in series."""
 
-    def refuse_other_shares(self, satellites: int) -> None:
-        """Refuse shares that are not one for each satellite."""
-        if self.shares and len(self.shares) != satellites:
-            counts = {"expected": satellites, "actual": len(self.shares)}
-            raise refusal("/satellite_coupling/shares", "different_length", **counts)
-
 
 class DeviationsFields(SectionFields, of=Deviations, group="deviations"):
     """Deviations of a piece from its nominal sizes: of each pin, of each hole satellite by
     satellite, of each crank or disc, of each ring pin. Positive means outward, in the driving
     sense, larger, ahead.
     """
-
-    def refuse_other_lengths(
-        self, pins: int | None, satellites: int, ring_pins: int | None
-    ) -> None:
-        """Refuse lists that do not fit the mechanism, as far as its numbers are known."""
-        errors = [
-            wrong(f"/deviations/{place}", "different_length", expected=want, actual=have)
-            for place, want, have in self._lengths(pins, satellites, ring_pins)
-            if want not in (None, have)
-        ]
-        if errors:
-            raise invalid_input(errors)
-
-    def _lengths(
-        self, pins: int | None, satellites: int, ring_pins: int | None
-    ) -> Iterator[tuple[str, int | None, int]]:
-        """Places of lists with the length that they need and the one that they have."""
-        for name, value in self.given.items():
-            if name in RING_PIN_LISTS:
-                yield name, ring_pins, len(value)
-            else:
-                yield name, pins if name.startswith("pin") else satellites, len(value)
-            if name.startswith("hole"):
-                for index, row in enumerate(value):
-                    yield f"{name}/{index}", pins, len(row)
-
-
-RING_PIN_LISTS = tuple(
-    name for name in DeviationsFields.model_fields if core_name(name) in OF_RING_PINS
-)
-"""Fields with lists of ring pins."""
 
 
 class DesignLoadFields(LoadFields, of=Load, group="load"):

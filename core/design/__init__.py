@@ -5,8 +5,8 @@ or raises `NotKnown` with the reason why it is not known.
 
 Modules, in reading order (each may use those above it)
 -------------------------------------------------------
-contact             pins in holes: sizes, clearance or fit, materials
 tolerances          tolerances of the parts, by values, classes, a fit or a process
+contact             pins in holes: sizes, clearance or fit, materials
 sections            mechanism, load, pin, ..., requirements: each as far as it is given
 ring                teeth or pins of the ring
 document            the design made of these sections, paths in it, copies with other values

@@ -1,8 +1,10 @@
 """Contact of pins in holes as a section of the design document: sizes, clearance, materials."""
 
+import re
 from dataclasses import dataclass
-from typing import ClassVar, Literal, NamedTuple, Self
+from typing import Any, ClassVar, Literal, NamedTuple, Self
 
+from core.design.tolerances import class_pattern
 from core.errors import InvalidInput
 from core.fields import Rule, optional_size, quantity
 from core.hertz import ElasticMaterial
@@ -26,11 +28,41 @@ class PairSizes(NamedTuple):
     hole_radius: float  # r_out
 
 
+USUAL_FITS = ("H7/g6", "H7/h6", "H7/f7", "H8/h7", "H8/f7", "H8/f8", "H9/f9")
+"""Fits that a form offers."""
+
+FIT = f"{class_pattern(of_pins=False)}/{class_pattern(of_pins=True)}"
+"""Form of a fit."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StatedClearance:
+    """Inputs from which the hole follows."""
+
+    hole_clearance: float | None = quantity(
+        "Clearance", "c", "mm", default=None, step=0.005, ge=-1e6, le=1e6
+    )
+    """Radial clearance: hole radius − pin radius − eccentricity. A negative value is interference,
+    and 0 means perfect parts. Forces and stresses depend on it more than on most sizes."""
+    fit: str | None = quantity("Fit", default=None, pattern=FIT, options=USUAL_FITS)
+    """ISO 286 classes of hole and pin (or sleeve), such as H7/f7, given instead of the clearance,
+    which is half of the mean clearance of the two diameters."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Contact:
-    """Crank, pin, hole and their materials; a crank alone has an eccentricity."""
+    """Crank, pin, hole and their materials; a crank alone has an eccentricity. Any two of hole
+    radius, eccentricity and clearance determine the third.
+    """
 
-    BETWEEN: ClassVar[tuple[Rule, ...]] = (Rule("hole_radius", "needed", "eccentricity"),)
+    FOLLOWS_FROM: ClassVar[Any] = StatedClearance
+    BETWEEN: ClassVar[tuple[Rule, ...]] = (
+        Rule("hole_radius", "only_one", "fit"),
+        Rule("hole_clearance", "only_one", "fit"),
+        Rule("eccentricity", "needed_beside", "fit"),
+        Rule("eccentricity", "needed_beside", "hole_clearance"),
+        Rule("hole_radius", "needed", "eccentricity"),
+    )
 
     contact_length: float | None = optional_size("Contact length", "b", "mm", step=1)
     """Length of the contact along the pin, which is the width of the satellite."""
@@ -112,6 +144,8 @@ class Contact:
 
 def _of_fit(fit: str, pin: float, eccentricity: float) -> float:
     """Mean radial clearance of a fit of a pin and a hole of pin plus eccentricity, m."""
+    if not re.fullmatch(FIT, fit):
+        raise InvalidInput("contact.fit", fit, "no_fit")
     hole = pin + eccentricity
     if 2 * hole > SIZES[-1] / 1e3:
         limit = SIZES[-1] / 1e3

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from typing import Any, TypeVar, cast
 
 from core.design.contact import Contact, PairSizes, SharedBy
@@ -27,7 +27,7 @@ from core.design.sections import (
     Temperatures,
 )
 from core.design.tolerances import ToleranceSection
-from core.errors import InvalidInput, NotKnown, derived, if_known, is_known, required
+from core.errors import InvalidInput, NotKnown, derived, if_known, is_known, required, within
 from core.hertz import SLIDING as KNOWN_SLIDING
 from core.hertz import Body, ElasticMaterial, Plastic, Spread
 from core.output.elasticity import (
@@ -142,6 +142,7 @@ class Design:
         self._check_rollers()
         self._check_thickness()
         self._check_ring_pins()
+        self._check_lists()
         if self.bearing:
             self.bearing.check_sizes("bearing")
         for index, each in enumerate(self.crankshaft.bearings if self.crankshaft else ()):
@@ -203,6 +204,20 @@ class Design:
             if not bore < radius:
                 than = {"field": "ring_pin_radius", "limit": radius}
                 raise InvalidInput("gear.sleeve_bore_radius", bore, "smaller_than", **than)
+
+    def _check_lists(self) -> None:
+        """Refuse deviations and shares that are not one for each part, as far as their numbers are
+        known.
+        """
+        pins, satellites = self.mechanism.pins, self.mechanism.satellites
+        shares = self.satellite_coupling.given_shares
+        if shares and len(shares) != satellites:
+            counts = {"expected": satellites, "actual": len(shares)}
+            raise InvalidInput("satellite_coupling.shares", shares, "different_length", **counts)
+        if self.deviations is not None:
+            known = if_known(lambda: self.ring_pins) if self.deviations.of_ring else None
+            numbers: dict[str, Any] = {"pins": pins, "satellites": satellites, "ring_pins": known}
+            within("deviations", partial(self.deviations.check, **numbers))
 
     def _check_rollers(self) -> None:
         """Refuse rollers that do not fit pins and holes, and a sleeve beside rollers."""

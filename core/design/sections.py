@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import ClassVar, Literal, get_args
+from typing import Any, ClassVar, Literal, get_args
 
 from core.bearings import BEARINGS
 from core.crank.balance import Counterweight
@@ -24,7 +24,7 @@ from core.fatigue import (
     size_factor,
     surface_factor,
 )
-from core.fields import LARGEST, Forms, Rule, optional_size, quantity, size
+from core.fields import LARGEST, Forms, Kinds, Rule, optional_size, quantity, size
 from core.output.elasticity import PinSupport
 from core.output.mechanism import MAX_SATELLITES, Output
 from core.output.pin_bolt import PinBolt
@@ -68,9 +68,49 @@ speed_of_both = partial(
 """Speed with a sign for its sense."""
 
 
+OF_RINGS = ("ratio", "satellite_teeth", "ring_teeth", "crank_spacing", "crank_angles")
+"""Inputs of a mechanism that has a ring, and cranks."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StatedRatio:
+    """Inputs from which the ratio of a mechanism follows."""
+
+    ratio: float | None = quantity("Ratio", "u", default=None, step=1, ge=-1e9, le=1e9, least=1)
+    """Speed of the crank over that of the pins with the ring at rest, u = z₂/(z₃ − z₂), at least 1.
+    A negative sign, for pins that turn opposite to the crank, as they always do, is accepted and
+    ignored."""
+    output_ratio: float | None = quantity(
+        "Ratio of the output", "i", default=None, step=1, ge=2, le=1e9
+    )
+    """Speed of the crank over that of the ring, i = u + 1, if the ring is the output."""
+    ring_teeth: int | None = quantity("Ring teeth", "z₃", default=None, step=1, ge=2, le=10**6)
+    """Number of teeth of the ring, larger than that of the satellite."""
+    output: Literal["pins", "ring", "both", "coupling", "crankshafts"] = quantity(
+        "Output", default="pins", advanced=True
+    )
+    """Output link: the pins with the ring at rest, the ring with the pins at rest, or both; or a
+    coupling, in which pins connect two shafts an eccentricity apart, without a ring. RV reducers,
+    whose crankshafts drive the output, are not calculated."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MechanismSection:
     """Pins, satellites and cranks."""
+
+    FOLLOWS_FROM: ClassVar[Any] = StatedRatio
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("ratio",), ("output_ratio",), ("satellite_teeth", "ring_teeth"), ()),
+        (("crank_spacing",), ("crank_angles",), ()),
+    )
+    KIND: ClassVar[str] = "output"
+    KINDS: ClassVar[Kinds] = {
+        "pins": ((), OF_RINGS),
+        "ring": ((), (*OF_RINGS, "output_ratio")),
+        "both": ((), OF_RINGS),
+        "coupling": ((), ()),
+        "crankshafts": ((), OF_RINGS),
+    }
 
     pins: int | None = quantity("Pins", "N", default=None, step=1, ge=1, le=MAX_PAIRS)
     """Number of pins of the output link, evenly spaced on the pin circle."""
@@ -98,10 +138,25 @@ class MechanismSection:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class StatedTorque:
+    """Inputs from which the torque of the output follows."""
+
+    input_torque: float | None = optional_size("Input torque", "T₁", "Nm", step=1)
+    """Torque on the crankshaft, from which T = T₁·i·η follows; i is u, or u + 1 if the ring is the
+    output."""
+    efficiency: float | None = quantity("Efficiency", "η", default=None, step=0.01, ge=1e-3, le=1)
+    """Efficiency of the reducer, needed with the input torque."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Load:
     """Torque of the output with its direction, lever and speeds."""
 
-    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("ring_speed",), ("carrier_speed",), ()),)
+    FOLLOWS_FROM: ClassVar[Any] = StatedTorque
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = (
+        (("output_torque",), ("input_torque", "efficiency"), ()),
+        (("ring_speed",), ("carrier_speed",), ()),
+    )
 
     output_torque: float | None = optional_size("Output torque", "T", "Nm", step=10)
     """Torque of the output; the torque on the pins if ring and pins are both outputs."""
@@ -256,6 +311,14 @@ class Requirements:
 @dataclass(frozen=True, slots=True)
 class DesignPin(PinSupport):
     """Pin with its support, section and strength; see `core.output.elasticity.PinSupport`."""
+
+    KIND: ClassVar[str] = "support"
+    KINDS: ClassVar[Kinds] = {
+        "cantilever": ((), ("span",)),
+        "supported": (("span",), ()),
+        "fixed": (("span",), ()),
+        "tie_ring": (("span",), ("ring_joint",)),
+    }
 
     contact_length: float | None = optional_size("Contact length", "b", "mm", step=1)
     """Length of the contact along the pin, which is the width of the satellite."""

@@ -5,7 +5,7 @@ not stated follows from others, from a name in a table, or is the usual one.
 import math
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import fields
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 from core.bearings import BEARINGS, named_bearing, names_like
@@ -28,7 +28,7 @@ from core.design.sections import (
     Temperatures,
 )
 from core.design.tolerances import ToleranceSection
-from core.errors import InvalidInput, required
+from core.errors import InvalidInput, NotKnown, required, within
 from core.hertz import ElasticMaterial
 from core.material_table import MATERIALS
 from core.materials import in_bending
@@ -121,6 +121,14 @@ def section(*, kind: Any, stated: Values) -> Any:
     )
 
 
+def satellites_of(mechanism: Values) -> int:
+    """Number of satellites of a mechanism, by its cranks if it is not stated."""
+    if mechanism.get("output") == "coupling":
+        return 1
+    angles = mechanism.get("crank_angles", ())
+    return mechanism.get("satellites") or len(angles) or USUAL_SATELLITES
+
+
 def _mechanism(own: Values) -> dict[str, Any]:
     """Ratio u and number of satellites of a mechanism."""
     output, pins = own.get("output", "pins"), own.get("pins")
@@ -133,7 +141,7 @@ def _mechanism(own: Values) -> dict[str, Any]:
         raise InvalidInput("crank_angles", angles, "different_length", **counts)
     if output == "coupling" and (count or 1) > 1:
         raise InvalidInput("satellites", count, "one_of_coupling", limit=1)
-    satellites = 1 if output == "coupling" else count or len(angles) or USUAL_SATELLITES
+    satellites = satellites_of(own)
     if (pins or 0) * satellites > MAX_PAIRS:
         most = {"limit": MAX_PAIRS // satellites, "satellites": satellites}
         raise InvalidInput("pins", pins, "too_many_pairs", **most)
@@ -266,20 +274,16 @@ def _of_design(name: str, stated: Mapping[str, Values]) -> Any:
         own["teeth_difference"] = difference
     if isinstance(kind, Mapping):
         kind = kind[own.get("kind", "rigid" if name == "satellite_coupling" else None)]
-    try:
-        return section(kind=kind, stated=own)
-    except InvalidInput as error:
-        if not error.parameter.startswith(f"{name}."):
-            error.parameter = f"{name}.{error.parameter}"
-        raise
+    return within(name, partial(section, kind=kind, stated=own))
 
 
 def design_of(
     stated: Mapping[str, Values], *, used: Collection[str] = (*KINDS,), pin_alone: bool = False
 ) -> Design:
-    """Design of the used sections of a document. Other sections only supply what follows from them:
-    pins take diameter and material of rollers and contact, teeth their difference of the mechanism,
-    and both meshes are in series if the sharing between satellites is not stated.
+    """Design of the used sections of a document. Other sections are checked by themselves, and
+    supply what follows from them: pins take diameter and material of rollers and contact, teeth
+    their difference of the mechanism, and both meshes are in series if the sharing between
+    satellites is not stated.
 
     Parameters
     ----------
@@ -290,17 +294,25 @@ def design_of(
     pin_alone : bool
         True if the design has its pin also without a contact that loads it.
     """
-    refuse_contradictions(stated)
-    names = [name for name in KINDS if name in stated and name in used]
-    if "pin" in names and "contact" not in names and not pin_alone:
-        names.remove("pin")
-    sections = {name: _of_design(name, stated) for name in names}
+    _refuse_contradictions(stated)
+    sections = {}
+    for name in sorted(stated, key="pin".__eq__):  # a pin needs what surrounds it
+        try:
+            made = _of_design(name, stated)
+        except NotKnown:
+            if name in used:
+                raise
+            continue
+        if name in used:
+            sections[name] = made
+    if "contact" not in sections and not pin_alone:
+        sections.pop("pin", None)
     if "gear" in sections and "satellite_coupling" in used:
         sections.setdefault("satellite_coupling", RingInSeries())
     return Design(**sections)
 
 
-def refuse_contradictions(stated: Mapping[str, Values]) -> None:
+def _refuse_contradictions(stated: Mapping[str, Values]) -> None:
     """Raise InvalidInput if sections contradict each other, or one lacks a value of another."""
     nothing: Values = {}
     contact, friction = stated.get("contact", nothing), stated.get("friction", nothing)

@@ -7,10 +7,11 @@ spacer leaves ``E_b*I_b/(E_b*I_b + E_s*I_s)`` of the moment to the bolt. Derived
 """
 
 from dataclasses import dataclass
+from typing import Any, ClassVar
 
 from core.arrays import check_positive
 from core.errors import InvalidInput
-from core.fields import answer, answered, optional_size, quantity, size
+from core.fields import Forms, answer, answered, optional_size, quantity, size
 from core.hertz import ElasticMaterial
 from core.output.pin_section import PinSection
 
@@ -24,9 +25,22 @@ SLIP_SAFETY = 1.2
 """Safety of the spacer against slipping on the carrier."""
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StatedBolt:
+    """Inputs from which preload and strength of a bolt follow."""
+
+    tightening_torque: float | None = optional_size("Tightening torque", "T_A", "Nm", step=0.5)
+    """Tightening torque, given instead of the preload, which is T_A/(0.2·d)."""
+    bolt_material: ElasticMaterial | None = quantity("Material of the bolt", default=None)
+    """Name in the table of materials, or values; steel of class 8.8 if not given."""
+
+
 @dataclass(frozen=True, slots=True)
 class PinBolt:
     """Bolt through a spacer, from the carrier to its head or nut."""
+
+    FOLLOWS_FROM: ClassVar[Any] = StatedBolt
+    ALTERNATIVES: ClassVar[tuple[Forms, ...]] = ((("preload",), ("tightening_torque",), ()),)
 
     core_diameter: float = size("Core of the bolt", "d_3", "mm", step=0.1)
     """Core diameter of the bolt's thread: 2.46 mm for M3, 3.24 for M4, 4.13 for M5, 4.92 for M6,

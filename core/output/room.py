@@ -9,7 +9,7 @@ its own centre to where its pins have most room.
 
 import math
 from collections.abc import Callable, MutableSequence, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cache, cached_property, partial
 from itertools import chain
 from typing import Generic, Literal, NamedTuple, TypeVar
@@ -81,6 +81,13 @@ _phase = partial(
 )
 """Lists of deviations."""
 
+
+def _check_length(name: str, values: Sequence[object], expected: int | None) -> None:
+    if values and expected not in (None, len(values)):
+        counts = {"expected": expected, "actual": len(values)}
+        raise InvalidInput(name, values, "different_length", **counts)
+
+
 OF_RING_PINS = ("ring_pin_radial", "ring_pin_tangential", "ring_pin_radius")
 """Deviations of the pins of a ring."""
 
@@ -145,26 +152,32 @@ class Deviations:
         """True if a pin of a ring deviates."""
         return self != self.of_output
 
+    def check(self, *, pins: int | None, satellites: int, ring_pins: int | None) -> None:
+        """Raise `InvalidInput` for a list without one value for each part; None for an unknown
+        number of parts.
+        """
+        for name, values in ((each.name, getattr(self, each.name)) for each in fields(self)):
+            if name in OF_RING_PINS:
+                _check_length(name, values, ring_pins)
+                continue
+            _check_length(name, values, pins if name.startswith("pin") else satellites)
+            if name.startswith("hole"):
+                for index, row in enumerate(values):
+                    _check_length(f"{name}[{index}]", row, pins)
+
     def rows(self, pins: int, satellites: int) -> Errors[Row]:
         """Flat rows for N pins and K satellites; another length or infinite values are refused."""
+        self.check(pins=pins, satellites=satellites, ring_pins=None)
 
         def row(name: str, values: Sequence[float], expected: int) -> list[float]:
             if not values:
                 return [0.0] * expected
-            if len(values) != expected:
-                raise InvalidInput(
-                    name, values, "different_length", expected=expected, actual=len(values)
-                )
             for index, value in enumerate(values):
                 check_finite(**{f"{name}[{index}]": value})
             return [float(value) for value in values]
 
         def table(name: str) -> list[float]:
             values = getattr(self, name)
-            if values and len(values) != satellites:
-                raise InvalidInput(
-                    name, values, "different_length", expected=satellites, actual=len(values)
-                )
             if not values:
                 return [0.0] * (pins * satellites)
             return [x for j, each in enumerate(values) for x in row(f"{name}[{j}]", each, pins)]

@@ -70,3 +70,30 @@ def test_contradictions_are_refused(
     with pytest.raises(InvalidInput) as refused:
         design_of(stated)
     assert (refused.value.parameter, refused.value.code) == (parameter, code)
+
+
+@pytest.mark.parametrize(
+    ("changes", "parameter", "code"),
+    [
+        ({"contact": {}, "rollers": {"name": "686"}}, "contact.pin_radius", "needed_beside"),
+        ({"deviations": {"pin_radial": (0.0,)}}, "deviations.pin_radial", "different_length"),
+        ({"deviations": {"hole_radius": ((0.0,) * 6, (0.0,))}}, "deviations.hole_radius[1]",
+         "different_length"),
+        ({"deviations": {"ring_pin_radius": (0.0,)}}, "deviations.ring_pin_radius",
+         "different_length"),
+        ({"satellite_coupling": {"kind": "shares", "shares": (1.0,)}},
+         "satellite_coupling.shares", "different_length"),
+        ({"contact": STATED["contact"] | {"fit": "f7/H7"}}, "contact.fit", "no_fit"),
+    ],
+)  # fmt: skip
+def test_what_parts_of_a_document_lack_is_named(
+    changes: dict[str, Any], parameter: str, code: str
+) -> None:
+    with pytest.raises(InvalidInput) as refused:
+        design_of(STATED | changes)
+    assert (refused.value.parameter, refused.value.code) == (parameter, code)
+
+
+def test_a_section_that_is_not_used_is_checked_by_itself() -> None:
+    with pytest.raises(InvalidInput, match="none of the bearings by name"):
+        design_of(STATED | {"bearing": {"name": "none"}}, used=("mechanism",))
