@@ -422,7 +422,7 @@ class HertzContact(NamedTuple):
     governing: Number
     safety: Annotated[tuple[BodySafety, ...], Output()]
     """Safety of each body whose limit is known; absent if neither is known."""
-    safety_factor: Annotated[Number | None, Output()]
+    safety_factor: Annotated[Number | None, Output("", "S")]
     """Smaller of both bodies' safety factors; absent if one is not known. The factor is a ratio of
     pressures; the reserve of the load is its square as long as Hertz's pressure governs."""
     accuracy: Annotated[Accuracy, Output()]
@@ -442,7 +442,7 @@ class HertzContact(NamedTuple):
         )
 
     @property
-    @answered("MPa", optional=True)
+    @answered("MPa", "p_g", optional=True)
     def governing_pressure(self) -> Number:
         """Pressure that is judged: the conformal pressure if it is given, else Hertz's; absent if
         the contact would wrap around more than half of the pin.

@@ -272,7 +272,7 @@ const report = tool(icon(html`<path d="M3.5 2.5h6l3 3v8h-9zM9.5 2.5v3h3M8 6.5v4.
 print.classList.add("print");
 report.classList.add("save-report");
 const share = tool("⇩", message("share.title"));
-const keys = tool("?", message("page.keys"));
+const keys = tool("?", message("keys.title"));
 for (const button of [share, keys]) button.setAttribute("aria-haspopup", "dialog");
 keys.setAttribute("aria-keyshortcuts", "?");
 document.getElementById("tools").append(undo, redo, keep, share, print, report, settings.button, keys);

@@ -4,7 +4,7 @@
  */
 import { formatNumber, formatQuantity, unitOf } from "./lib/format.js";
 import { fieldAtPointer, keysOf } from "./lib/form_state.js";
-import { fieldTexts } from "./lib/schema_form.js";
+import { fieldTexts, symbolsIn } from "./lib/schema_form.js";
 import { DIAMETER, inDiameters, shownUnit } from "./lib/units.js";
 import { message, said } from "./messages/index.js";
 
@@ -18,6 +18,7 @@ export function englishOf([openapi, { examples }, { materials }, { calculations 
   return {
     ...words,
     fields: fieldTexts(openapi),
+    symbols: () => symbolsIn(openapi),
     materials: named(materials, "name", "title"),
     material_groups: named(materials, "group_code", "group"),
     examples: named(examples, "id", "title"),

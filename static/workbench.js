@@ -10,7 +10,7 @@ import { element, html } from "./lib/html.js";
 import { shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/form_state.js";
 import { entryOf, optionsOf } from "./lib/schema_form.js";
 import { LABELS, query, withVerdict } from "./lib/url_state.js";
-import { message } from "./messages/index.js";
+import { message, quantityTitle, symbolOf } from "./messages/index.js";
 import { neglectedIn, problemText } from "./service_texts.js";
 import * as next from "./store.js";
 import { createChecks } from "./views/checks.js";
@@ -54,7 +54,7 @@ function lightEachOther(form, drawing) {
 export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, calculations, typed, claim, history, lengths, on }) {
   const named = (wanted) => [...model.fields.values()].filter((field) => Boolean(field.wanted) === wanted).map(({ name, title }) => [name, title]);
   const titles = new Map([
-    ...named(true), ...Object.entries(message("quantity")).map(([name, { title }]) => [name, title]), ...named(false),
+    ...named(true), ...Object.entries(message("quantity")), ...named(false),
   ]);
   const materialOf = (path, given) => (typeof given === "string"
     ? catalogues[path].find(({ name }) => name === given) : given);
@@ -286,8 +286,9 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
     help() {
       const inputs = [...model.fields.values()].flatMap((field) => [field, ...field.columns ?? []])
         .map(({ symbol, title, help }) => [symbol, title, help]);
-      const results = Object.values(store.state.shown?.answer ?? {}).flatMap(Object.keys)
-        .map((name) => message("quantity")[name] ?? {}).map(({ title, symbol }) => [symbol, title, ""]);
+      const results = Object.entries(store.state.shown?.answer ?? {}).flatMap(([section, values]) => Object.keys(values)
+        .map((name) => [symbolOf(name, section), name]).filter(([symbol]) => symbol)
+        .map(([symbol, name]) => [symbol, quantityTitle(name, section), ""]));
       return {
         symbols: [...inputs, ...results].filter(([symbol], i, all) => symbol && all.findIndex(([other]) => other === symbol) === i),
         neglected: neglectedIn(calculation),

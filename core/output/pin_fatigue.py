@@ -24,7 +24,7 @@ class PinFatigue(CycleFatigue):
     cycles: float | None = answer("", "N")
     """Number of cycles to failure, one cycle per turn of the crank relative to the pins; absent
     below the endurance limit."""
-    life: float | None = answer("h")
+    life: float | None = answer("h", "L")
     """Time to failure by that number of cycles; absent below the endurance limit or without a
     speed."""
 

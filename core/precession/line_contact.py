@@ -28,7 +28,7 @@ class LineContact:
     notices: tuple[Notice, ...]  # a notice if the contact is too wide for Hertz
 
     @property
-    @answered(optional=True)
+    @answered("", "S", optional=True)
     def roller_safety(self) -> float:
         """Pressure limit of the roller's material over the largest pressure, if the limit is
         known.
@@ -36,7 +36,7 @@ class LineContact:
         return float(self.roller_material.known_limit.pressure) / self.max_pressure
 
     @property
-    @answered(optional=True)
+    @answered("", "S", optional=True)
     def mating_safety(self) -> float:
         """Pressure limit of the satellite's material over the largest pressure, if the limit is
         known.

@@ -20,7 +20,7 @@ class ShaftStrength:
     """Bending moment at the clamp."""
     peak_stress: float = answer("MPa", "σ")
     """Largest bending stress, 32·M/(π·d³)."""
-    peak_stress_position: float = answer("mm")
+    peak_stress_position: float = answer("mm", "x")
     """Position of the largest stress, from C towards the clamp."""
     yield_strength: float | None  # Re, Pa, where known
     # Cycle and place, m from C, of the section of least safety; None if no cycle is judged.
@@ -41,7 +41,7 @@ class ShaftStrength:
         return required(self.worst, "steady_load")[0]
 
     @property
-    @answered("mm", optional=True)
+    @answered("mm", "x", optional=True)
     def cycle_position(self) -> float:
         """Position of the worst stress cycle, from C towards the clamp."""
         return required(self.worst, "steady_load")[1]

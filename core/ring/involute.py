@@ -340,13 +340,13 @@ class InvolutePair:
         return 2 * self.teeth.ring_tip * (half + tip)
 
     @property
-    @answered("mm")
+    @answered("mm", "ρ")
     def reduced_radius_start(self) -> float | None:
         """Radius of relative curvature at the start of the path of contact."""
         return self._reduced_radius(self.start_roll)
 
     @property
-    @answered("mm")
+    @answered("mm", "ρ")
     def reduced_radius_end(self) -> float | None:
         """Radius of relative curvature at the end of the path of contact."""
         return self._reduced_radius(self.end_roll)

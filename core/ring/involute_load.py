@@ -62,10 +62,10 @@ class RootStress:
 class InvoluteLoad(PairForce):
     """Force without the load factor and Hertz pressures of a planet's teeth under its torque."""
 
-    pressure_one_pair_start: float | None = answer("MPa")
+    pressure_one_pair_start: float | None = answer("MPa", "p_0")
     """Largest contact pressure, at the start of the path of contact; absent if the path does not
     start on an involute."""
-    pressure_one_pair_end: float | None = answer("MPa")
+    pressure_one_pair_end: float | None = answer("MPa", "p_0")
     """Contact pressure at the end of the path of contact."""
     iso_pressure_at_pitch_point: float | None = answer("MPa")
     """Contact pressure at the pitch point by ISO 6336-2, for comparison, as the pitch point need

@@ -21,11 +21,11 @@ const NUMBER = new RegExp(`^([+-]?)((?:${GROUPED}|\\d+)?)(?:[.,](\\d*))?(?:e([+-
  * Read one number: `32,5`, `32.5`, `1e-3`, `1 000,5` (any kind of space, true minus too).
  *
  * Returns `{ value }`, with `ambiguous: true` where a comma might have been meant to part
- * thousands (`1,000`), or `{ problem }`: "empty", "separators", "number" or "range".
+ * thousands (`1,000`), or `{ problem }`: "required", "separators", "number" or "range".
  */
 export function parseNumber(text) {
   const typed = text.trim().replace(/[\u2212\u2013]/g, "-");
-  if (typed === "") return { problem: "empty" };
+  if (typed === "") return { problem: "required" };
   if ((typed.match(/[.,]/g) ?? []).length > 1) return { problem: "separators" };
   const match = NUMBER.exec(typed);
   if (!match || (match[2] === "" && !match[3])) return { problem: "number" };
@@ -87,12 +87,12 @@ export function parseSum(text) {
 /** Read a list: `0; 120; 240`, `0 120 240` or `0, 120, 240`. Returns `{ values }` or `{ problem }`. */
 export function parseNumbers(text) {
   const typed = text.trim().replace(/;$/, "");
-  if (typed === "") return { problem: "empty" };
+  if (typed === "") return { problem: "required" };
   const parts = typed.split(typed.includes(";") ? ";" : /,?\s+/);
   const values = [];
   for (const part of parts) {
     const { value, problem } = parseNumber(part);
-    if (problem) return { problem: problem === "empty" ? "number" : problem };
+    if (problem) return { problem: problem === "required" ? "number" : problem };
     values.push(value);
   }
   return { values };

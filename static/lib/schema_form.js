@@ -274,6 +274,32 @@ function asDiameter(item, words) {
   return { ...item, ...words[item.name], unit: DIAMETER, symbol: `2${item.symbol}` };
 }
 
+/** Symbols of the quantities of each section of the answers, `{ section: { name: symbol } }`; those of a part of one by its name and theirs too. */
+export function symbolsIn(openapi) {
+  const resolve = resolver(openapi);
+  const propertiesOf = (schema) => {
+    const { properties, anyOf, oneOf = anyOf ?? [] } = resolve(schema);
+    return Object.assign({}, properties, ...oneOf.map(propertiesOf)); // of each kind, where it has several
+  };
+  const symbolsOf = (schema, part) => {
+    const own = Object.entries(propertiesOf(schema));
+    const parts = own.map(([name, property]) => symbolsOf(property, name)).reverse();
+    const said = own.map(([name, property]) => [name, resolve(property)["x-symbol"]]).filter(([, symbol]) => symbol)
+      .flatMap(([name, symbol]) => [[name, symbol], ...part ? [[`${part}_${name}`, symbol]] : []]);
+    return Object.assign({}, ...parts, Object.fromEntries(said));
+  };
+  const answers = Object.entries(openapi.paths).flatMap(([path, { post }]) => {
+    const schema = post?.responses["200"]?.content["application/json"]?.schema;
+    return schema ? [[path.split("/").pop().replaceAll("-", "_"), schema]] : [];
+  });
+  const sections = answers.flatMap(([name, schema]) => [[name, schema], ...Object.entries(propertiesOf(schema))]);
+  const found = {};
+  for (const [section, schema] of sections.filter(([, one]) => "accuracy" in propertiesOf(one))) {
+    found[section] = { ...found[section], ...symbolsOf(schema) };
+  }
+  return found;
+}
+
 /** Title and help of every field of a form by its name, or by group and name where groups differ. */
 export function fieldTexts({ components }) {
   const texts = {};

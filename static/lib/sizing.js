@@ -1,7 +1,7 @@
 /** "Size for ...": what is asked of the solver at a field, and what its answer says. No DOM. */
 import { formatNumber, formatQuantity, tidy } from "./format.js";
 import { isLimited, judgedOf, pathOf, percent, sizedBy, titleOf } from "./checks.js";
-import { message } from "../messages/index.js";
+import { message, quantityTitle } from "../messages/index.js";
 
 const WIDEST = 20; // times the value at hand, up and down
 const MOST_COUNTED = 60;
@@ -11,7 +11,7 @@ export function targetsOf(calculator, answer, path) {
   const judged = judgedOf(calculator, answer);
   const checks = sizedBy(judged).filter(({ inputs = [] }) => inputs.some((pointer) => pathOf(pointer) === path));
   const own = (calculator.targets ?? []).map(({ pointer, quantity, value }) =>
-    ({ title: message(`quantity.${quantity}`).title, pointer, sense: "at_least", value }));
+    ({ title: quantityTitle(quantity), pointer, sense: "at_least", value }));
   const reserve = judged?.torque_reserve === undefined && !isLimited(calculator, judged) ? []
     : [{ title: message("checks.reserve"), pointer: "/torque_reserve", sense: "at_least", value: 1.1 }];
   const shares = checks.map((check) => ({

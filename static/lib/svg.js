@@ -1,5 +1,5 @@
 /**
- * Parts of a technical drawing as SVG markup, in pixels. No DOM.
+ * Parts of a technical drawing as SVG markup, in pixels, and arrows that move on the page.
  *
  * A *view* places mm on the paper: `createView({ x, y, scale })` with the pixel of its origin and the
  * pixels of a millimetre; y points up in mm and down on the paper. `field` names the fields of the
@@ -77,6 +77,22 @@ export function headPath(from, to, size = 1) {
 /** An arrow of exactly the length from `from` to `to`. */
 export function arrow(from, to, kind, field = "") {
   return html`<g class="arrow ${kind}" data-field="${field}">${line(from, to, "shaft")}<path class="head" d="${headPath(from, to, 1.25)}"/></g>`;
+}
+
+/** Set attributes of an element. */
+export function set(node, values) {
+  for (const [name, value] of Object.entries(values)) node.setAttribute(name, value);
+}
+
+/** An arrow on the page. */
+export const arrowOf = (root) => ({ root, shaft: root.querySelector(".shaft"), head: root.querySelector(".head") });
+
+/** Lay an arrow on the page from one place to another, or hide it. */
+export function setArrow({ root, shaft, head }, from, to, shown) {
+  root.classList.toggle("none", !shown);
+  if (!shown) return;
+  set(shaft, { x1: from[0], y1: from[1], x2: to[0], y2: to[1] });
+  head.setAttribute("d", headPath(from, to, 1.25));
 }
 
 const SHORT = 3.2 * HEAD; // below this length the heads stand outside

@@ -1,5 +1,4 @@
 /** What a verdict is made of: its cells, and the warnings of an answer. No DOM. */
-import { message } from "../messages/index.js";
 import { quantityParts, shownDigits } from "./format.js";
 
 const IMPOSSIBLE = ["interference", "wall_holes", "pins_apart"];
@@ -8,8 +7,8 @@ const IMPOSSIBLE = ["interference", "wall_holes", "pins_apart"];
  * A cell, `{ label, value, unit, note, level }`; of a section without answer the label alone.
  * `about(section)` gives what an answered section says.
  */
-export function cell(name, section, about) {
-  return { label: message(`verdict.${name}`), ...(section && about(section)) };
+export function cell(label, section, about) {
+  return { label, ...(section && about(section)) };
 }
 
 /** Value and unit with at most so many digits, and no more than the section's accuracy allows. */

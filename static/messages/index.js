@@ -11,6 +11,7 @@ export const LANGUAGES = { en: "English", uk: "Українська", ru: "Ру�
 
 let texts = en;
 let english = {};
+let symbols = null; // of the quantities, once one is asked for
 let plural = new Intl.PluralRules("en");
 
 /** Read the texts of a language. */
@@ -21,9 +22,10 @@ export async function useLanguage(language) {
   setUnitNames(texts.unit);
 }
 
-/** Take what the service says in English: `{ kind: { code: words } }`. */
+/** Take what the service says in English: `{ kind: { code: words } }`, and what gives its symbols by section and name, `symbols()`. */
 export function setEnglish(words) {
   english = words;
+  symbols = null;
 }
 
 const wordsOf = (kind, code) => texts.service[kind]?.[code] ?? english[kind]?.[code];
@@ -52,10 +54,20 @@ export function said(kind, code, values = {}) {
   return allOf(wordsOf(kind, code));
 }
 
-/** Title and symbol of a quantity of an answer by its name, or by section and name where sections differ. */
-export function quantityWords(name, section) {
+/**
+ * Title of a quantity of an answer by its name, or by section and name where sections differ; one that is worked or
+ * asked for too has that title.
+ */
+export function quantityTitle(name, section) {
   const { quantity } = texts;
-  return quantity[`${section}.${name}`] ?? message(`quantity.${name}`);
+  return quantity[`${section}.${name}`] ?? quantity[name] ?? said("worked_values", name) ?? fieldWords(name)?.title
+    ?? message(`quantity.${name}`);
+}
+
+/** Symbol of a quantity of a section, "" for one that has none. */
+export function symbolOf(name, section) {
+  symbols ??= english.symbols();
+  return symbols[section]?.[name] ?? "";
 }
 
 /**

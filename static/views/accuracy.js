@@ -9,7 +9,7 @@ import { following } from "../store.js";
 function sectionMarkup([id, { accuracy: { method, method_code: code, relative_error: error, evaluations, run_time_us: time } }]) {
   return html`<li><b>${message(`section.${id}`)}</b>: ${message("results.accuracy", {
     method: said("methods", code) ?? method,
-    error: error === 0 ? message("results.exact") : formatNumber(error, 2),
+    error: error === 0 ? message("results.none") : formatNumber(error, 2),
     evaluations: formatNumber(evaluations, 15),
     time: formatDuration(time),
   })}</li>`;

@@ -2,14 +2,14 @@
 import { newestOnly } from "../lib/api.js";
 import { flattened } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
-import { message } from "../messages/index.js";
+import { message, quantityTitle } from "../messages/index.js";
 import { problemText } from "../service_texts.js";
 import { following } from "../store.js";
 import { listMarkup } from "./parts.js";
 
 /** `bounds` says of which answers there is one (`of`), what is asked, and which of its quantities are `shown`. */
 export function createBounds({ bounds: { path, list, of, body, shown: names, nameOf }, client, titles }) {
-  const root = element(html`<details class="more bounds" hidden><summary>${message(`quantity.${list}`).title}</summary><div></div></details>`);
+  const root = element(html`<details class="more bounds" hidden><summary>${quantityTitle(list)}</summary><div></div></details>`);
   const host = root.querySelector("div");
   const newest = newestOnly();
   let latest = null; // the results on the screen

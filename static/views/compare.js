@@ -2,7 +2,7 @@
 import { ASIDE, flattened, judgedOf, levelOfWord, listedOf, percent, titleOf, wordOf } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
 import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
-import { message, quantityWords } from "../messages/index.js";
+import { message, quantityTitle } from "../messages/index.js";
 import { readState, shownFields, stateFromInput, textIn } from "../lib/form_state.js";
 import { shownUnit } from "../lib/units.js";
 import { answerNow, following } from "../store.js";
@@ -43,12 +43,12 @@ const XYZ = ["x", "y", "z"];
 /** The numbers of a section, those of vectors each: `[[name, title, unit, value]]`. */
 function numbersOf(id, section, elsewhere) {
   return flattened(section).filter(([name]) => !elsewhere.includes(name) && !ASIDE.includes(name)).flatMap(([name, value]) => {
-    const title = () => quantityWords(name, id).title;
+    const title = () => quantityTitle(name, id);
     if (isNumber(value)) return [[name, title(), unitOf(name), value]];
     const parts = Array.isArray(value) && value.length <= XYZ.length ? value.map((one, i) => [XYZ[i], one])
       : value && !Array.isArray(value) && typeof value === "object" ? Object.entries(value) : [];
     if (parts.length === 0 || name === "peak_pair" || !parts.every(([, one]) => isNumber(one))) return [];
-    return parts.map(([part, one]) => [`${name}.${part}`, `${title().split(":")[0]}: ${message(`quantity.${part}`)?.title ?? part}`, unitOf(name), one]);
+    return parts.map(([part, one]) => [`${name}.${part}`, `${title().split(":")[0]}: ${quantityTitle(part)}`, unitOf(name), one]);
   });
 }
 

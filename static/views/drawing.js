@@ -5,7 +5,7 @@
 import { pairNames } from "../lib/chart.js";
 import { formatAngle } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
-import { message } from "../messages/index.js";
+import { message, quantityTitle } from "../messages/index.js";
 import { drawable, following } from "../store.js";
 import { enlargeButton, olderMark } from "./parts.js";
 
@@ -25,7 +25,7 @@ export function createDrawingView({ calculator, on }) {
           aria-label="${message("figure.save", { title, kind })}">${kind}</button>`)}${enlargeButton(title)}</span></div>
       ${moving && html`<div class="motion">
         ${!STILL.matches && html`<button type="button" class="toggle play" aria-pressed="false">${message("drawing.play")}</button>`}
-        <input type="range" min="0" max="360" step="0.5" value="0" aria-label="${message("figure.crankAngle")}">
+        <input type="range" min="0" max="360" step="0.5" value="0" aria-label="${quantityTitle("crank_angle_deg")}">
         <output></output>
         ${startOf && html`<button type="button" class="toggle to-peak">${message("drawing.peak")}</button>`}
         <label>${message("drawing.select")} <select id="pair" class="box"></select></label>

@@ -10,6 +10,7 @@ import { createPlot, loadPlotly, pictureOf } from "./plot.js";
 
 const NONE = [];
 const AGAIN_MS = 4000; // until a figure that the service could not give is asked for again
+const ALONE = { charted() {}, turned() {}, set() {}, picked() {} }; // what a figure reports that nobody follows
 const BUTTON_PX = 48; // the room of a figure that is drawn on demand, until it is
 
 /** What a calculator says of a figure, completed; one that `measures` a calculation is drawn on demand only. */
@@ -27,7 +28,7 @@ function completed({ measures, body = ({ besides, ...input }) => input, ...figur
  * drawn when it is opened; a figure that `leads` the drawing is asked for at once; one that is `noted` has room for a note
  * on solved forces.
  */
-export function createFigure({ figure: about, client, titles, on }) {
+export function createFigure({ figure: about, client, titles, on = ALONE }) {
   const figure = completed(about);
   const title = message(`figure.${figure.id}`);
   const saver = (kind) => html`<button type="button" class="toggle save" data-kind="${kind}"

@@ -4,7 +4,7 @@ import { message } from "../messages/index.js";
 import { warningText } from "../service_texts.js";
 import { following } from "../store.js";
 import { createFigure } from "./figure.js";
-import { sign, tableMarkup } from "./parts.js";
+import { cellsMarkup, sign, tableMarkup } from "./parts.js";
 
 const NONE = []; // no kept design is drawn over it
 
@@ -19,14 +19,7 @@ export function createView({ id, client, titles, figures, logic, more = null }) 
       <table class="quantities"><tbody></tbody></table><div class="tables"></div>
     </div>`);
   const part = (name) => root.querySelector(name);
-  const figure = createFigure({
-    figure: { section: logic.figure.id, ...logic.figure },
-    client,
-    titles,
-    on: {
-      charted() {}, turned() {}, set() {}, picked() {},
-    },
-  });
+  const figure = createFigure({ figure: { section: logic.figure.id, ...logic.figure }, client, titles });
   root.append(figure.root);
   if (logic.note) root.append(element(html`<p class="figure-note">${message(logic.note)}</p>`));
   if (more) root.append(more);
@@ -35,8 +28,7 @@ export function createView({ id, client, titles, figures, logic, more = null }) 
 
   const numbers = following(({ answer, of }) => [answer, of], ({ answer, body }) => {
     if (!answer) return;
-    fill(part(".numbers"), html`${logic.cells(answer).map((cell) => html`
-      <div class="cell"><dt>${cell.label}</dt><dd><span class="figures">${cell.level && sign(cell.level)}${cell.value}</span><span class="note">${cell.note}</span></dd></div>`)}`);
+    fill(part(".numbers"), cellsMarkup(logic.cells(answer)));
     const all = [
       ...logic.sentences(answer, body, titles),
       ...(answer.warnings ?? []).map((warning) => ["warning", warningText(warning, titles)]),

@@ -7,7 +7,7 @@ import { following, stale } from "../store.js";
 import { createBounds } from "./bounds.js";
 import { createDrawingView } from "./drawing.js";
 import { createFigure } from "./figure.js";
-import { listMarkup } from "./parts.js";
+import { cellsMarkup, listMarkup } from "./parts.js";
 import { valuesMarkup } from "./results.js";
 
 const [HEIGHT, TALL] = [420, 720]; // of a figure, and of one whose panels stand under each other
@@ -35,7 +35,6 @@ export function createView({ id, section, client, titles, figures, calculations,
   const part = (name) => root.querySelector(`.${name}`);
   const figure = logic.figure && createFigure({
     figure: { shape: stacked, height: NARROW.matches ? TALL : HEIGHT, ...logic.figure }, client, titles,
-    on: { charted() {}, turned() {}, set() {}, picked() {} },
   });
   const { lists = {} } = logic;
   const calculator = { id, drawing: logic.drawing, figures: [], elsewhere: ["locus", "curves", "forces", ...Object.keys(lists)] };
@@ -48,8 +47,7 @@ export function createView({ id, section, client, titles, figures, calculations,
 
   const numbers = following(({ shown }) => [shown], ({ shown }) => {
     const answer = shown?.answer[section];
-    fill(part("numbers"), html`${answer && logic.cells(answer, shown.filled).map((cell) => html`
-      <div class="cell"><dt>${cell.label}</dt><dd><span class="figures">${cell.value}</span><span class="note">${cell.note}</span></dd></div>`)}`);
+    fill(part("numbers"), cellsMarkup(answer ? logic.cells(answer, shown.filled) : []));
     part("left-out").textContent = message("besides.leftOut", { what: neglectedIn({ model }).join("; ") });
     const values = answer && new Map(flattened(answer));
     fill(part("all"), html`${answer && [

@@ -2,7 +2,7 @@
 import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
 import { element, html } from "../lib/html.js";
 import { shownUnit, shownValue } from "../lib/units.js";
-import { message } from "../messages/index.js";
+import { message, quantityTitle } from "../messages/index.js";
 
 const LIST_DIGITS = 5;
 const SIGNS = { good: "✓", bad: "✕", warning: "▲" };
@@ -33,6 +33,12 @@ export function barMarkup(used, level) {
   return html`<svg class="bar-of ${level ?? ""}" viewBox="0 0 150 8" preserveAspectRatio="none" aria-hidden="true">
     <rect class="whole" width="150" height="8"/><rect class="used" width="${Math.round((150 * Math.min(Math.max(used, 0), BAR)) / BAR)}" height="8"/>
     <path d="M100 0v8"/></svg>`;
+}
+
+/** The numbers of a group beside the results, `[{ label, value, note, level? }]`. */
+export function cellsMarkup(cells) {
+  return html`${cells.map(({ label, value, note, level }) => html`
+    <div class="cell"><dt>${label}</dt><dd><span class="figures">${sign(level)}${value}</span><span class="note">${note}</span></dd></div>`)}`;
 }
 
 /** Says of what is drawn that it is of older inputs, while it is. */
@@ -79,8 +85,8 @@ export function createDialog({ id, title, content }) {
 export function listMarkup(name, records, nameOf) {
   const cell = (value, unit) => (value === undefined ? "–" : quantityParts(value, unit, LIST_DIGITS).value);
   const keys = [...new Set(records.flatMap(Object.keys))];
-  return html`<div class="grid-rows"><table class="data"><caption>${message(`quantity.${name}`).title}</caption>
+  return html`<div class="grid-rows"><table class="data"><caption>${quantityTitle(name)}</caption>
     <thead><tr><td></td>${records.map((_, i) => html`<th scope="col">${nameOf(i)}</th>`)}</tr></thead>
-    <tbody>${keys.map((key) => html`<tr><th scope="row">${message(`quantity.${key}`).title}${unitOf(key) && `, ${shownUnit(unitOf(key))}`}</th>
+    <tbody>${keys.map((key) => html`<tr><th scope="row">${quantityTitle(key)}${unitOf(key) && `, ${shownUnit(unitOf(key))}`}</th>
       ${records.map((record) => html`<td>${cell(record[key], unitOf(key))}</td>`)}</tr>`)}</tbody></table></div>`;
 }

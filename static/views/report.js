@@ -3,7 +3,7 @@ import { quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { listedInputs } from "../lib/form_state.js";
 import { LABELS } from "../lib/url_state.js";
-import { message, quantityWords, said } from "../messages/index.js";
+import { message, quantityTitle, said } from "../messages/index.js";
 import { shownUnit } from "../lib/units.js";
 import { download } from "./files.js";
 import { symbolMarkup, tableMarkup } from "./parts.js";
@@ -17,7 +17,7 @@ const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .say,
 function valueText(field, value, catalogue) {
   if (typeof value === "string") return said("materials", value) ?? message("option")[value] ?? catalogue?.find(({ name }) => name === value)?.title ?? value;
   if (field.kind === "flag") return message("option")[value];
-  if (field.kind === "names") return value.map((name) => said("not_considered", name) ?? quantityWords(name, field.section).title).join("; ");
+  if (field.kind === "names") return value.map((name) => said("not_considered", name) ?? quantityTitle(name, field.section)).join("; ");
   if (Array.isArray(value)) return value.map((one) => quantityParts(one, field.unit, 15).value).join("; ");
   return typeof value === "number" ? quantityParts(value, field.unit, field.unit ? 10 : 15).value : String(value);
 }
@@ -98,7 +98,7 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
       ${now.typed.texts.note && html`<p class="report-note">${now.typed.texts.note}</p>`}
       <p class="made">${message("report.made", { version, date: new Date().toISOString().slice(0, 10) })}</p>
       <p class="made link-of">${location.href}</p>`);
-    fill(givens, html`<h2>${message("report.inputs")}</h2>
+    fill(givens, html`<h2>${message("form.inputs")}</h2>
       <div class="givens">${inputsMarkup(listedInputs(model, now.typed), catalogues)}</div>`);
     const closed = ":is(.checks details.more, .torque details):not([open])";
     folds = [...outputs.querySelectorAll(whole ? `details.fold:not([open], .accuracy-fold), ${closed}` : closed)];

@@ -4,7 +4,7 @@ import { quantityParts, resultDigits, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { shownAsIs, shownUnit } from "../lib/units.js";
 import { levelOf } from "../lib/verdict.js";
-import { message, quantityWords, said } from "../messages/index.js";
+import { message, quantityTitle, said, symbolOf } from "../messages/index.js";
 import { warningText } from "../service_texts.js";
 import { following } from "../store.js";
 import { sign, symbolMarkup, tableMarkup } from "./parts.js";
@@ -37,7 +37,7 @@ function asText(value, digits, unit = "", name = "") {
   }
   if (value && !Array.isArray(value) && Object.values(value).every((one) => typeof one === "number")) {
     return Object.entries(value)
-      .map(([name, one]) => `${message(`quantity.${name}`).title}\u00a0${quantityParts(one, unit, digits).value}`).join("; ");
+      .map(([name, one]) => `${quantityTitle(name)}\u00a0${quantityParts(one, unit, digits).value}`).join("; ");
   }
   return null;
 }
@@ -46,8 +46,7 @@ function row([name, value], accuracy, id) {
   const unit = unitOf(name);
   const text = asText(value, resultDigits(name, accuracy), unit, name);
   if (text === null) return null;
-  const { title, symbol = "" } = quantityWords(name, id);
-  return html`<tr data-name="${name}"><th scope="row">${title}</th><td class="symbol-cell">${symbolMarkup(symbol)}</td>
+  return html`<tr data-name="${name}"><th scope="row">${quantityTitle(name, id)}</th><td class="symbol-cell">${symbolMarkup(symbolOf(name, id))}</td>
     <td class="value ${text.length > 20 && "long"}">${text}</td><td class="unit-cell">${value.length !== 0 && shownUnit(unit)}</td></tr>`;
 }
 
@@ -57,8 +56,8 @@ function records([name, value], elsewhere) {
   if (value.length === 0 || !value.every(isRecord)) return null;
   const columns = [...new Set(value.flatMap(Object.keys))].filter((column) => !elsewhere.includes(column));
   return tableMarkup({
-    title: message(`quantity.${name}`).title,
-    columns: columns.map((column) => ({ title: message(`quantity.${column}`).title, unit: unitOf(column) })),
+    title: quantityTitle(name),
+    columns: columns.map((column) => ({ title: quantityTitle(column), unit: unitOf(column) })),
     rows: value.map((record) => columns.map((column) =>
       (typeof record[column] === "number" ? record[column] : asText(record[column], 6, unitOf(column), column) ?? "–"))),
   });

@@ -24,7 +24,7 @@ function histogramMarkup({ title, unit, histogram, marks }, barsOf) {
 function quantityMarkup(quantity, barsOf) {
   return html`<section class="studied" data-quantity="${quantity.name}"><h3>${quantity.title}</h3>
     ${quantity.histogram && histogramMarkup(quantity, barsOf)}
-    <table class="data"><thead class="unseen"><tr><td></td><th scope="col">${message("study.value")}</th><th scope="col">${message("study.interval")}</th></tr></thead>
+    <table class="data"><thead class="unseen"><tr><td></td><th scope="col">${message("results.value")}</th><th scope="col">${message("study.interval")}</th></tr></thead>
       <tbody>${quantity.marks.map(({ id, title, value, interval }, i) => html`<tr>
         <th scope="row"><svg class="key" viewBox="0 0 24 8" aria-hidden="true"><line class="mark-${id === "limit" || id === "nominal" ? id : i}" x1="0" x2="24" y1="4" y2="4"/></svg>${title}</th>
         <td>${value}</td><td class="note">${interval}</td></tr>`)}</tbody></table></section>`;

@@ -16,7 +16,7 @@ export function createWanted({ calculator, ...parts }) {
   const all = [...calculator.beside ?? [], ...calculator.wanted ?? []].filter(({ load }) => load);
   const groups = all.map(({ id, section, load, shows = (state) => wants(state, id) }) => {
     const place = element(html`<section class="card beside-card" data-wanted="${id}" aria-labelledby="wanted-${id}" hidden>
-      <h2 id="wanted-${id}">${message(`${id}.title`)}</h2></section>`);
+      <h2 id="wanted-${id}">${message(section ? `section.${section}` : `${id}.title`)}</h2></section>`);
     root.append(place);
     const fold = foldable(place, `wanted-${id}`);
     return { id, section, load, shows, place, fold, loading: null, asking: null, view: null };

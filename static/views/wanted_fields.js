@@ -2,7 +2,7 @@
 import { cellsOf, stepped, textOfCells } from "../lib/form_state.js";
 import { element, fill, html } from "../lib/html.js";
 import { shownUnit } from "../lib/units.js";
-import { message, quantityWords, said } from "../messages/index.js";
+import { message, quantityTitle, said } from "../messages/index.js";
 import { symbolMarkup } from "./parts.js";
 
 /** The switch of a group; what it says is its title. */
@@ -27,7 +27,7 @@ export function createSwitch(field, { on }) {
 /** Some of a list of names. */
 export function createNames(field, { on }) {
   const id = `field-${field.path.replaceAll(".", "-")}`;
-  const title = (name) => said("not_considered", name) ?? quantityWords(name, field.section).title;
+  const title = (name) => said("not_considered", name) ?? quantityTitle(name, field.section);
   const root = element(html`
     <fieldset class="field kind-names" data-path="${field.path}"><legend>${field.title}</legend>
       ${field.options.map((name) => html`<label><input type="checkbox" value="${name}" aria-describedby="${id}-message"><span>${title(name)}</span></label>`)}

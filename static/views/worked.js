@@ -2,7 +2,7 @@
 import { newestOnly } from "../lib/api.js";
 import { formatNumber, formatQuantity, quantityParts, resultDigits, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
-import { message, quantityWords, said } from "../messages/index.js";
+import { message, quantityTitle, said } from "../messages/index.js";
 import { mathml, mathSymbol, plainSymbol, plainText } from "../lib/formula/mathml.js";
 import { parse } from "../lib/formula/notation.js";
 import { shownAsIs } from "../lib/units.js";
@@ -65,7 +65,7 @@ function stepMarkup(step, section, accuracy) {
   const note = step.note ?? step.method;
   return html`
     <li class="step" data-name="${code}">
-      <p class="step-head"><span class="step-title">${said("worked_values", code) ?? quantityWords(code, section).title}</span>
+      <p class="step-head"><span class="step-title">${said("worked_values", code) ?? quantityTitle(code, section)}</span>
         ${source && html`<span class="step-source">${sourceText(step)}</span>`}</p>
       <div class="formulas">${formulas(step, resultDigits(code, accuracy))}</div>
       ${note && html`<p class="step-note">${noteText(note, params)}</p>`}
@@ -80,7 +80,7 @@ export function groupMarkup({ section, steps }, accuracy) {
   const { relative_error: error, method, method_code: code } = accuracy;
   return html`<ol class="steps">${steps.map((step) => stepMarkup(step, section, accuracy))}</ol>
     <p class="accuracy">${message("worked.accuracy", {
-      error: error === 0 ? message("results.exact") : formatNumber(error, 2), method: said("methods", code) ?? method,
+      error: error === 0 ? message("results.none") : formatNumber(error, 2), method: said("methods", code) ?? method,
     })}</p>`;
 }
 

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { flatValues } from "../../static/lib/exports.js";
 import calculator from "../../static/calculators/crank-planetary/index.js";
 import { listedOf } from "../../static/lib/checks.js";
-import { LANGUAGES, quantityWords } from "../../static/messages/index.js";
+import { LANGUAGES, quantityTitle } from "../../static/messages/index.js";
 import { codesOf, warningsOf } from "../../static/lib/verdict.js";
 
 const ACCURACY = { method: "closed form", relative_error: 1e-15, evaluations: 1, run_time_us: 10 };
@@ -166,7 +166,7 @@ test("no two forces have one name: the ideal ones, the real ones, those with the
   const names = ["peak_force_N", "peak_force_ratio", "peak_crank_angle_deg", "peak_pair", "max_pressure_MPa"];
   for (const language of Object.keys(LANGUAGES)) {
     const { default: { quantity } } = await import(`../../static/messages/${language}.js`);
-    const title = (section, name) => (quantity[`${section}.${name}`] ?? quantity[name]).title;
+    const title = (section, name) => quantity[`${section}.${name}`] ?? quantity[name];
     for (const name of names) assert.notEqual(title("load_sharing", name), title("contact_force", name), `${language}: ${name}`);
     const peaks = ["contact_force", "load_sharing", "pin_strength", "output_efficiency"].map((section) => title(section, "peak_force_N"));
     assert.equal(new Set([...peaks, title("load_sharing", "judged_force_N")]).size, peaks.length + 1);
@@ -176,7 +176,7 @@ test("no two forces have one name: the ideal ones, the real ones, those with the
 test("solved forces are listed, and stand beside the ideal ones of other designs", () => {
   assert.deepEqual(listedOf(calculator, [{ contact_force: {} }, null]), calculator.sections);
   assert.deepEqual(listedOf(calculator, [null, { load_sharing: {} }]), ["load_sharing", ...calculator.sections]);
-  assert.equal(quantityWords("loaded_pairs_max", "load_sharing").title, "Most pairs loaded");
+  assert.equal(quantityTitle("loaded_pairs_max", "load_sharing"), "Most pairs loaded");
 });
 
 const [cyclogramFigure, forceFigure] = ["cyclogram", "force"].map((one) => calculator.figures.find(({ id }) => id === one));

@@ -20,7 +20,7 @@ for (const [typed, value] of [
 }
 
 for (const [typed, problem] of [
-  ["", "empty"], ["   ", "empty"], ["1,000.5", "separators"], ["1.000,5", "separators"],
+  ["", "required"], ["   ", "required"], ["1,000.5", "separators"], ["1.000,5", "separators"],
   ["1,000,000", "separators"], ["3 5", "number"], ["1 00", "number"], ["abc", "number"], ["1e", "number"],
   [".", "number"], ["-", "number"], ["e5", "number"], ["0x10", "number"], ["NaN", "number"],
   ["Infinity", "number"], ["1e999", "range"], ["--5", "number"],
@@ -43,7 +43,7 @@ test("lists are parted by semicolons, spaces, or commas with spaces", () => {
   assert.deepEqual(parseNumbers("0 90,5"), { values: [0, 90.5] });
   assert.deepEqual(parseNumbers("0,120,240"), { problem: "separators" });
   assert.deepEqual(parseNumbers("0;;240"), { problem: "number" });
-  assert.deepEqual(parseNumbers(" "), { problem: "empty" });
+  assert.deepEqual(parseNumbers(" "), { problem: "required" });
 });
 
 test("numbers show the digits asked, without filling noughts", () => {

@@ -11,6 +11,8 @@ import { fieldWords, LANGUAGES, message, said, useLanguage } from "../../static/
 import { figureText } from "../../static/service_texts.js";
 import { english, openapi } from "./service.mjs";
 
+const { symbols, ...spoken } = english;
+
 afterEach(() => useLanguage("en"));
 
 const OTHERS = Object.keys(LANGUAGES).filter((language) => language !== "en");
@@ -51,7 +53,7 @@ test("a book stands under its own name wherever it is named", async () => {
 for (const language of OTHERS) {
   test(`${language}: no text is missing, none too many, of the page and of the service, and each fills the same places`, async () => {
     const shape = (texts) => [...leaves(texts)].flatMap(([path, forms]) => [...new Set(forms.map((one) => `${path} ${places(one)}`))]);
-    assert.deepEqual(shape(await textsOf(language)).sort(), shape({ ...en, service: english }).sort());
+    assert.deepEqual(shape(await textsOf(language)).sort(), shape({ ...en, service: spoken }).sort());
   });
 
   test(`${language}: nothing is left in English, and a noun has all its forms`, async () => {

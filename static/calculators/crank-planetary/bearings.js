@@ -1,6 +1,6 @@
 /** Ring and bearings of the satellites: what is said of the service's answer. No DOM. */
 import { formatNumber, formatQuantity } from "../../lib/format.js";
-import { message } from "../../messages/index.js";
+import { message, quantityTitle } from "../../messages/index.js";
 import { drawnDocument } from "./wanted.js";
 
 const ROUNDING = 1e-9;
@@ -13,18 +13,17 @@ function worstOf({ satellites }) {
 }
 
 export function cells(section) {
-  const title = (name) => message(`quantity.${name}`).title;
   const satellite = worstOf(section) + 1;
   const { equivalent_load_N: load, peak_load_N: peak, life_h: life, basic_life_h: basic, static_safety_factor: safety } = section.satellites[satellite - 1];
   return [
-    { label: title("equivalent_load_N"), value: formatQuantity(load, "N", 4), note: message("bearings.peak", { satellite, peak: formatQuantity(peak, "N", 4) }) },
+    { label: quantityTitle("equivalent_load_N"), value: formatQuantity(load, "N", 4), note: message("bearings.peak", { satellite, peak: formatQuantity(peak, "N", 4) }) },
     {
-      label: title("life_h"),
+      label: quantityTitle("life_h"),
       value: life === undefined ? "–" : formatQuantity(life, "h", 3),
       note: life === undefined ? message("bearings.noRating") : message("bearings.basic", { life: formatQuantity(basic, "h", 3) }),
     },
     {
-      label: title("static_rating_safety"),
+      label: quantityTitle("static_rating_safety"),
       value: safety === undefined ? "–" : formatNumber(safety, 3),
       note: message("bearings.ring", { ratio: formatNumber(section.radial_force_ratio, 3) }),
     },

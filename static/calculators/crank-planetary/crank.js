@@ -1,6 +1,6 @@
 /** The crankshaft: what is said and drawn of the service's answer. No DOM. */
 import { formatQuantity } from "../../lib/format.js";
-import { message } from "../../messages/index.js";
+import { message, quantityTitle } from "../../messages/index.js";
 import { crankDrawing } from "./along.js";
 import { drawnDocument } from "./wanted.js";
 
@@ -18,7 +18,7 @@ export function cells({ bearings, balance }) {
   return [
     ...bearings.map(reaction),
     balance && {
-      label: message("quantity.unbalance_kg_mm").title,
+      label: quantityTitle("unbalance_kg_mm"),
       value: formatQuantity(balance.unbalance_kg_mm, "kg·mm", 3),
       note: message("crank.left", { force: formatQuantity(balance.force_N, "N", 3), couple: formatQuantity(balance.couple_Nm, "N·m", 3) }),
     },

@@ -3,7 +3,7 @@ import { isOfRing } from "../../lib/chart.js";
 import { formatQuantity } from "../../lib/format.js";
 import { fill, html } from "../../lib/html.js";
 import { message } from "../../messages/index.js";
-import { arcPath, circle, createView, headPath, label, line, mm, paper, radius, roundBelow, scaleBar, sized, WIDE_PX } from "../../lib/svg.js";
+import { arcPath, arrowOf, circle, createView, headPath, label, line, mm, paper, radius, roundBelow, scaleBar, set, setArrow, sized, WIDE_PX } from "../../lib/svg.js";
 import { crankDirections, drivingAt, forcesAt, mechanismOf, MOST_PAIRS, moved, pinAngle, pinCentres, pitchRadii } from "./mechanism.js";
 import { discStill, placeRing, placeRingDetail, reachOf, ringCaption, ringDetail, ringMarks, ringParts, ringStill } from "./ring.js";
 
@@ -102,17 +102,6 @@ function titleMarkup(text, { x, half }, width) {
   return html`${lines.map((line, i) => html`<tspan x="${from}" dy="${i ? LINE_PX : -LINE_PX * (lines.length - 1)}">${line}</tspan>`)}`;
 }
 
-function set(node, values) {
-  for (const [name, value] of Object.entries(values)) node.setAttribute(name, value);
-}
-
-function setArrow({ root, shaft, head }, from, to, shown) {
-  root.classList.toggle("none", !shown);
-  if (!shown) return;
-  set(shaft, { x1: from[0], y1: from[1], x2: to[0], y2: to[1] });
-  head.setAttribute("d", headPath(from, to, 1.25));
-}
-
 function setAngle(root, centre, size, from, to) {
   const sweep = (((to - from) % 360) + 360) % 360;
   const [arc, head] = root.querySelectorAll("path");
@@ -207,7 +196,6 @@ function placeDetail(parts, { m, directions, pins, driving, force, real }, i) {
 /** The moving elements of what has been put on the page. */
 function partsOf(host, still) {
   const all = (selector) => [...host.querySelectorAll(selector)];
-  const arrowOf = (root) => ({ root, shaft: root.querySelector(".shaft"), head: root.querySelector(".head") });
   const one = host.querySelector(".detail");
   const of = (selector) => one.querySelector(selector);
   return {

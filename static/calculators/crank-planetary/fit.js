@@ -1,7 +1,7 @@
 /** Whether pins and holes go together and turn, by geometry: what is asked of the service and what its answer says. No DOM. */
 import { formatAngle, formatNumber, formatQuantity, tidy } from "../../lib/format.js";
 import { DIAMETER, inDiameters } from "../../lib/units.js";
-import { message } from "../../messages/index.js";
+import { message, quantityTitle } from "../../messages/index.js";
 import { warningText } from "../../service_texts.js";
 import { MOST_PAIRS, refuseMore } from "./mechanism.js";
 import { range } from "./real.js";
@@ -106,7 +106,7 @@ export function tables({ fit: { discs = [], least_room_mm: all } }) {
   if (discs.length < 2 || discs.every(({ least_room_mm: room, turned_deg: turned }) => Math.abs(room - all) < 1e-9 && Math.abs(turned) < 1e-9)) return [];
   return [{
     title: message("fit.discs"),
-    columns: [{ title: message("figure.satellite") }, { title: message("fit.least"), unit: "mm" }, { title: message("fit.turned"), unit: "°" }],
+    columns: [{ title: quantityTitle("satellite") }, { title: message("fit.least"), unit: "mm" }, { title: message("fit.turned"), unit: "°" }],
     rows: discs.map(({ satellite, least_room_mm: room, turned_deg: turned }) => [String(satellite), tidy(room), Math.abs(turned) < 1e-9 ? 0 : turned]),
   }];
 }

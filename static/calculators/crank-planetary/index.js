@@ -8,7 +8,7 @@ import { cell, stated } from "../../lib/verdict.js";
 import { formatAngle, formatNumber, formatQuantity, shownDigits, tidy } from "../../lib/format.js";
 import { pairsOf } from "../../lib/chart.js";
 import { DIAMETER, inDiameters } from "../../lib/units.js";
-import { message, quantityWords } from "../../messages/index.js";
+import { message, quantityTitle } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
 import { askedOf, cranksOf, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
@@ -94,7 +94,7 @@ function peakCell(section, input, id) {
     ...section.peak_pair,
   });
   return {
-    label: quantityWords("peak_force_N", id).title,
+    label: quantityTitle("peak_force_N", id),
     ...stated(section, section.peak_force_N, "N", 6),
     note: factor === 1 ? at : `${at}; ${message("verdict.withoutFactors", { factor: formatNumber(factor, 4) })}`,
   };
@@ -120,10 +120,8 @@ function withoutFalseSafety(answer) {
   return { ...answer, hertz };
 }
 
-function columns(...names) {
-  const unit = { from: "°", to: "°" };
-  return names.map((name) => ({ title: message(`figure.${name}`), unit: unit[name] }));
-}
+const pairColumns = () => ["satellite", "pin"].map((name) => ({ title: quantityTitle(name) }));
+const phaseColumns = () => ["from", "to"].map((name) => ({ title: message(`figure.${name}`), unit: "°" }));
 
 /** When pairs drive; where forces are solved, when they carry. */
 function phaseTables({ cyclogram, real_cyclogram: real }) {
@@ -131,13 +129,13 @@ function phaseTables({ cyclogram, real_cyclogram: real }) {
   return [
     {
       title: message(real ? "figure.carried" : "figure.phases"),
-      columns: columns("satellite", "pin", "from", "to"),
+      columns: [...pairColumns(), ...phaseColumns()],
       rows: (real ?? cyclogram).pairs.flatMap(({ satellite, pin, driving_deg: driving, loaded_deg: phases = driving }) =>
         phases.map(([from, to]) => [satellite, pin, from, to])),
     },
     {
       title: message(real ? "figure.carriedCounts" : "figure.counts"),
-      columns: columns("from", "to", word),
+      columns: [...phaseColumns(), { title: message(`figure.${word}`) }],
       rows: (real?.loaded_count ?? cyclogram.driving_count).map(({ from_deg: from, to_deg: to, pairs }) => [from, to, pairs]),
     },
   ];
@@ -151,7 +149,7 @@ function forceTables(answer) {
   return [{
     title: message(answer.load_sharing ? "figure.forcesReal" : "figure.forces"),
     columns: [
-      { title: message("figure.crankAngle"), unit: "°" },
+      { title: quantityTitle("crank_angle_deg"), unit: "°" },
       ...curves.pairs.map((pair) => ({ title: figureText("pair", pair), unit: "N" })),
     ],
     rows: curves.crank_angle_deg.map((angle, i) => [angle, ...curves.force_N.map((pair) => pair[i])]),
@@ -279,9 +277,9 @@ export default {
   verdict(answer, { input = {} } = {}) {
     const judged = answer.load_sharing ? "load_sharing" : "contact_force";
     return [
-      cell("peak", answer[judged], (section) => peakCell(section, input, judged)),
-      cell("pairs", answer.cyclogram, (section) => pairsCell(section, answer.load_sharing)),
-      cell("pressure", answer.hertz, (section) => pressureCell(section, input)),
+      cell(message("verdict.peak"), answer[judged], (section) => peakCell(section, input, judged)),
+      cell(message("verdict.pairs"), answer.cyclogram, (section) => pairsCell(section, answer.load_sharing)),
+      cell(quantityTitle("max_pressure_MPa"), answer.hertz, (section) => pressureCell(section, input)),
     ];
   },
 

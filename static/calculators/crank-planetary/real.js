@@ -4,7 +4,7 @@
  */
 import { inTwoLines } from "../../lib/chart.js";
 import { formatAngle, formatNumber, formatQuantity, quantityParts } from "../../lib/format.js";
-import { message, quantityWords } from "../../messages/index.js";
+import { message, quantityTitle } from "../../messages/index.js";
 import { eccentricityOf, MOST_PAIRS, refuseMore } from "./mechanism.js";
 import { documentOf } from "./wanted.js";
 
@@ -62,7 +62,7 @@ export function cells({ over_turn: turn, ideal }) {
   const { satellite, pin } = turn.peak_pair;
   return [
     {
-      label: quantityWords("peak_force_N", "load_sharing").title,
+      label: quantityTitle("peak_force_N", "load_sharing"),
       value: formatQuantity(turn.peak_force_N, "N", 5),
       note: message("verdict.peakAt", { angle: formatAngle(turn.peak_crank_angle_deg), satellite, pin }),
     },
@@ -72,7 +72,7 @@ export function cells({ over_turn: turn, ideal }) {
       note: message("real.ideal", { force: formatQuantity(ideal.peak_force_N, "N", 5) }),
     },
     {
-      label: message("quantity.backlash_max_arcmin").title,
+      label: quantityTitle("backlash_max_arcmin"),
       value: formatQuantity(turn.backlash_max_arcmin, "′", 4),
       note: message("real.least", { value: formatQuantity(turn.backlash_min_arcmin, "′", 4) }),
     },
@@ -81,7 +81,7 @@ export function cells({ over_turn: turn, ideal }) {
 
 /** The rest as rows: `[title, value]`. */
 export function rows({ over_turn: turn, clearance_mm: clearance }, { lost_motion_torque_share: share = 0.03 }) {
-  const title = (name) => quantityWords(name, "load_sharing").title;
+  const title = (name) => quantityTitle(name, "load_sharing");
   const own = (name, unit) => [title(name), formatQuantity(turn[name], unit, 4)];
   return [
     [message("real.clearance"), formatQuantity(clearance, "mm", 4)],

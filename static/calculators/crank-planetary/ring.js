@@ -1,7 +1,7 @@
 /** Satellites and their ring, cycloid discs on pins or involute teeth, to scale: what of the drawing of the mechanism is theirs. */
 import { formatQuantity } from "../../lib/format.js";
 import { html } from "../../lib/html.js";
-import { circle, headPath, path, roundBelow } from "../../lib/svg.js";
+import { arrowOf, circle, path, roundBelow, set, setArrow } from "../../lib/svg.js";
 import { message } from "../../messages/index.js";
 import { pitchRadii, ringAt } from "./mechanism.js";
 
@@ -75,7 +75,6 @@ export function ringDetail(spot) {
 
 /** What moves of these, on the page. */
 export function ringParts(host) {
-  const arrowOf = (root) => ({ root, shaft: root.querySelector(".shaft"), head: root.querySelector(".head") });
   const root = host.querySelector(".ring-detail");
   const of = (selector) => root.querySelector(selector);
   return {
@@ -85,17 +84,6 @@ export function ringParts(host) {
     profiles: [...host.querySelectorAll(".satellite .profile")],
     one: root && { root, pin: of(".ring-pin"), profile: of(".profile"), normal: of(".velocity"), arrow: arrowOf(of(".arrow")), contact: of(".contact") },
   };
-}
-
-const set = (node, values) => {
-  for (const [name, value] of Object.entries(values)) node.setAttribute(name, value);
-};
-
-function setArrow({ root, shaft, head }, from, to, shown) {
-  root.classList.toggle("none", !shown);
-  if (!shown) return;
-  set(shaft, { x1: from[0], y1: from[1], x2: to[0], y2: to[1] });
-  head.setAttribute("d", headPath(from, to, 1.25));
 }
 
 /** Where a pin presses a disc, and the normal there, outwards: it passes through the pitch point. */

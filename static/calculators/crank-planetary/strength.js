@@ -1,6 +1,6 @@
 /** Strength of the pins: what is said and drawn of the service's answer. No DOM. */
 import { formatNumber, formatQuantity } from "../../lib/format.js";
-import { message } from "../../messages/index.js";
+import { message, quantityTitle } from "../../messages/index.js";
 import { pinDrawing } from "./along.js";
 import { drawnDocument } from "./wanted.js";
 
@@ -19,28 +19,27 @@ export const bounds = {
 };
 
 export function cells({ peak_equivalent_stress_MPa: stress, static_safety_factor: yields, fatigue, deflection, tie_ring: ring, bolt }) {
-  const title = (name) => message(`quantity.${name}`).title;
   return [
     {
-      label: title("peak_equivalent_stress_MPa"),
+      label: quantityTitle("peak_equivalent_stress_MPa"),
       value: formatQuantity(stress, "MPa", 4),
       note: yields === undefined ? message("strength.noYield") : message("strength.yield", { safety: formatNumber(yields, 3) }),
     },
     {
-      label: title("fatigue_safety_factor"),
+      label: quantityTitle("fatigue_safety_factor"),
       value: fatigue ? formatNumber(fatigue.safety_factor, 3) : "–",
       note: fatigue ? message("strength.cycle", { from: formatQuantity(fatigue.min_stress_MPa, "MPa", 4), to: formatQuantity(fatigue.max_stress_MPa, "MPa", 4) })
         : message("strength.noFatigue"),
     },
     deflection && {
-      label: title("deflection_mm"),
+      label: quantityTitle("deflection_mm"),
       value: formatQuantity(deflection.deflection_mm, "mm", 3),
       note: message("strength.slope", {
         satellite: deflection.satellite, sloping: deflection.slope_satellite, slope: formatQuantity(deflection.slope_mrad, "mrad", 3),
       }),
     },
     ring && {
-      label: message("strength.tieRing"),
+      label: quantityTitle("tie_ring_peak_force_N"),
       value: formatQuantity(ring.peak_force_N, "N", 4),
       note: message("strength.ringMoves", { shift: formatQuantity(ring.shift_mm, "mm", 3), turn: formatQuantity(ring.turn_mrad, "mrad", 3) }),
     },

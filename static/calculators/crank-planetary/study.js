@@ -1,6 +1,6 @@
 /** What tolerances do to the pieces: what is asked of the service and what its answer says. No DOM. */
 import { formatNumber, formatQuantity, shownDigits, unitOf } from "../../lib/format.js";
-import { fieldWords, message, quantityWords } from "../../messages/index.js";
+import { fieldWords, message, quantityTitle } from "../../messages/index.js";
 import { range } from "./real.js";
 import { documentOf } from "./wanted.js";
 
@@ -16,7 +16,7 @@ export function asked(input) {
 
 export const ask = ({ client, body, signal, progressed }) => client.post("/tolerance-study", body, { signal, progressed });
 
-export const titleOf = (name) => quantityWords(name, "load_sharing").title;
+export const titleOf = (name) => quantityTitle(name, "load_sharing");
 
 const share = (value, digits = 3) => `${formatNumber(100 * value, digits)}\u00a0%`;
 const digitsOf = ({ value, low, high }) => Math.max(3, shownDigits((high - low) / 2 / Math.abs(value), 4) + 2);

@@ -1,7 +1,7 @@
 /** Teeth of satellites and ring, cycloid discs on pins or involute ones: what is said of the service's answer. No DOM. */
 import { inTwoLines } from "../../lib/chart.js";
 import { formatNumber, formatQuantity } from "../../lib/format.js";
-import { message } from "../../messages/index.js";
+import { message, quantityTitle } from "../../messages/index.js";
 
 /** The service's figure, its titles no longer than its panels are high, where there are several. */
 const shape = ({ data, layout }) => (!layout.yaxis4 ? { data, layout } : {
@@ -19,8 +19,6 @@ export const figure = {
 
 const arcmin = (value) => formatQuantity(value, "′", 4);
 
-const title = (name) => message(`quantity.${name}`).title;
-
 const lost = (efficiency) => (efficiency === undefined ? message("teeth.noFriction")
   : message("teeth.efficiency", { efficiency: formatNumber(efficiency.efficiency, 4) }));
 
@@ -34,12 +32,12 @@ function involuteCells({ geometry, stresses, efficiency }) {
   const { pressure_one_pair_start_MPa: pressure, normal_force_N: force } = stresses;
   return [
     {
-      label: title("pressure_one_pair_start_MPa"),
+      label: quantityTitle("pressure_one_pair_start_MPa"),
       value: pressure === undefined ? "–" : formatQuantity(pressure, "MPa", 4),
       note: message("teeth.start", { force: formatQuantity(force, "N", 4) }),
     },
-    { label: title("contact_ratio"), value: formatNumber(geometry.contact_ratio, 3), note: tipsOf(geometry) },
-    { label: title("geometry_backlash_arcmin"), value: arcmin(geometry.backlash_arcmin), note: lost(efficiency) },
+    { label: quantityTitle("contact_ratio"), value: formatNumber(geometry.contact_ratio, 3), note: tipsOf(geometry) },
+    { label: quantityTitle("geometry_backlash_arcmin"), value: arcmin(geometry.backlash_arcmin), note: lost(efficiency) },
   ];
 }
 
@@ -47,7 +45,7 @@ export function cells({ over_turn: turn, ideal, efficiency, ...involute }) {
   if (turn === undefined) return involuteCells({ ...involute, efficiency });
   const { satellite, pin } = turn.peak_pair;
   const pressure = {
-    label: title("max_pressure_MPa"),
+    label: quantityTitle("max_pressure_MPa"),
     value: formatQuantity(turn.max_pressure_MPa, "MPa", 4),
     note: message("teeth.peak", { satellite, pin, force: formatQuantity(turn.peak_force_N, "N", 4), times: formatNumber(turn.peak_force_ratio, 3) }),
   };
@@ -56,18 +54,18 @@ export function cells({ over_turn: turn, ideal, efficiency, ...involute }) {
     return [
       pressure,
       { label: message("teeth.lag"), value: arcmin(lag), note: message("teeth.both") },
-      ...(efficiency === undefined ? [] : [{ label: title("efficiency"), value: formatNumber(efficiency.efficiency, 4), note: message("teeth.alone") }]),
+      ...(efficiency === undefined ? [] : [{ label: quantityTitle("efficiency"), value: formatNumber(efficiency.efficiency, 4), note: message("teeth.alone") }]),
     ];
   }
   return [
     pressure,
     {
-      label: title("backlash_max_arcmin"),
+      label: quantityTitle("backlash_max_arcmin"),
       value: arcmin(turn.backlash_max_arcmin),
       note: ideal.backlash_arcmin === undefined ? message("teeth.jams") : message("teeth.many", { backlash: arcmin(ideal.backlash_arcmin) }),
     },
     {
-      label: title("transmission_error_arcmin"),
+      label: quantityTitle("transmission_error_arcmin"),
       value: arcmin(turn.transmission_error_arcmin),
       note: lost(efficiency),
     },

@@ -15,10 +15,13 @@ const MOST_ROWS = 400; // of a table; more are for other programs
 const counted = (count, label) => Array.from({ length: Math.min(count, MOST_ROWS) || 0 }, (_, i) => label(i));
 const deviated = (part) => ["radial", "tangential", "radius"].map((way) => `deviations.${part}_${way}_mm`);
 const rare = { advanced: true };
+/** Fields of a section of which the same is said. */
+const each = (section, own, ...names) => Object.fromEntries(names.map((name) => [`${section}.${name}`, own]));
 /** What a law of contact of these sizes says, by its kinds. */
-const lawAt = (path, own = {}) => Object.fromEntries([
-  ["stiffness_N_per_mm", "linear"], ["exponent", "power"], ["reference_force_N", "power"], ["reference_approach_mm", "power"],
-].map(([name, kind]) => [`${path}.${name}`, { ...own, when: [`${path}.kind`, kind], required: true }]));
+const lawAt = (path, own = {}) => ({
+  ...each(path, { ...own, when: [`${path}.kind`, "linear"], required: true }, "stiffness_N_per_mm"),
+  ...each(path, { ...own, when: [`${path}.kind`, "power"], required: true }, "exponent", "reference_force_N", "reference_approach_mm"),
+});
 const classOf = (part, letters) => ({ like: `tolerances.${part}_diameter.class`, words: [`${part}_class`, "study"], ...letters });
 const byOwn = { when: ["study.sizes", "class", "limits"] };
 const ofRing = { when: ["gear.kind", "cycloid"], needs: "bearings" }; // where the ring stands
@@ -43,45 +46,41 @@ const REAL = {
     columns: ["deviations.eccentricity_mm", "deviations.crank_phase_deg", "deviations.disc_phase_deg"],
     rows: ({ mechanism: { satellites } }) => counted(satellites, (j) => message("real.satellite", { satellite: j + 1 })),
   },
-  "contact_law.reference_depth_mm": { ...rare, when: ["contact_law.kind", "hertz"] },
+  "contact_law.reference_depth_mm": { when: ["contact_law.kind", "hertz"] },
   "satellite_coupling.shares": rare,
-  lost_motion_torque_share: rare,
+  lost_motion_torque_share: {},
 };
 
 const STUDY = {
   "study.sizes": { options: ["class", "limits", "process"], default: "class", words: ["sizes", "study"] },
   "tolerances.process": { when: ["study.sizes", "process"], required: true },
   "tolerances.pin_process": { when: ["study.sizes", "process"], options: [""] },
-  "tolerances.hole_process": { ...rare, when: ["study.sizes", "process"], options: [""] },
-  "tolerances.pin_position_mm": byOwn,
-  "tolerances.hole_position_mm": byOwn,
+  "tolerances.hole_process": { when: ["study.sizes", "process"], options: [""] },
+  ...each("tolerances", byOwn, "pin_position_mm", "hole_position_mm"),
   "tolerances.pin_diameter.class": classOf("pin", { when: ["study.sizes", "class"], options: [""] }),
   "tolerances.hole_diameter.class": classOf("hole", { when: ["study.sizes", "class"], options: [""] }),
   "tolerances.pin_diameter.lower_mm": byLimits("pin", "lower"),
   "tolerances.pin_diameter.upper_mm": byLimits("pin", "upper"),
   "tolerances.hole_diameter.lower_mm": byLimits("hole", "lower"),
   "tolerances.hole_diameter.upper_mm": byLimits("hole", "upper"),
-  "tolerances.eccentricity_mm": {},
-  "tolerances.crank_phase_deg": {},
-  "tolerances.disc_phase_deg": {},
+  ...each("tolerances", {}, "eccentricity_mm", "crank_phase_deg", "disc_phase_deg"),
   "tolerances.ring_pin_position_mm": ofRing,
   "tolerances.ring_pin_diameter.class": { ...ofRing, options: [""], words: ["ring_pin_class", "study"] },
-  "tolerances.equidistant_mm": ofRing,
-  "tolerances.modification_pin_circle_mm": ofRing,
+  ...each("tolerances", ofRing, "equidistant_mm", "modification_pin_circle_mm"),
   quantities: { words: ["quantities", "study"], section: "load_sharing" },
   samples: { empty: "fitting" },
   "study.ranked": { options: ["ranked", "plain"], default: "ranked", words: ["ranked", "study"] },
   percentiles: rare,
-  seed: rare,
-  crank_angles: rare,
-  ...Object.fromEntries(["peak_force_N", "max_pressure_MPa", "transmission_error_arcmin", "backlash_max_arcmin",
-    "lost_motion_arcmin", "stiffness_min_Nm_per_arcmin"].map((name) => [`limits.${name}`, rare])),
-  ...Object.fromEntries(["ring_peak_force_N", "ring_max_pressure_MPa"].map((name) => [`limits.${name}`, { ...rare, ...ofRing }])),
+  seed: {},
+  crank_angles: {},
+  ...each("limits", rare, "peak_force_N", "max_pressure_MPa", "transmission_error_arcmin", "backlash_max_arcmin",
+    "lost_motion_arcmin", "stiffness_min_Nm_per_arcmin"),
+  ...each("limits", { ...rare, ...ofRing }, "ring_peak_force_N", "ring_max_pressure_MPa"),
 };
 
 const BARE = ["rolling.on", undefined, "", "off"]; // where no rollers are on the pins
 
-const asked = (...names) => Object.fromEntries(names.map((name) => [`requirements.${name}`, rare]));
+const asked = (...names) => each("requirements", rare, ...names);
 const bolted = { ...rare, when: ["strength.bolt", "bolted"] };
 const STRENGTH = {
   "pin.support": {},
@@ -93,14 +92,10 @@ const STRENGTH = {
   "pin.diameter_mm": { when: ["strength.surface", "sleeved"], required: true, words: ["diameter", "strength"] },
   ...fatigueFields("strength.fatigue", ["notch_factor", "notch", "endurance_limit", "plain"]),
   "fatigue.life_h": { ...rare, when: ["strength.fatigue", "notch_factor", "notch", "endurance_limit"] },
-  "pin.bore_diameter_mm": rare,
-  "pin.rotates": rare,
+  ...each("pin", rare, "bore_diameter_mm", "rotates"),
   "strength.bolt": { ...rare, options: ["whole", "bolted"], default: "whole", words: ["bolt", "strength"] },
   "pin.bolt.core_diameter_mm": { ...bolted, required: true },
-  "pin.bolt.preload_N": bolted,
-  "pin.bolt.tightening_torque_Nm": bolted,
-  "pin.bolt.preload_scatter": bolted,
-  "pin.bolt.friction_coefficient": bolted,
+  ...each("pin.bolt", bolted, "preload_N", "tightening_torque_Nm", "preload_scatter", "friction_coefficient"),
   "pin.bolt.bolt_material": { ...bolted, without: ["allowable_pressure_MPa", "life_curve", "long_term_factor"] },
   ...asked("bending_safety", "fatigue_safety", "max_deflection_mm", "max_slope_mrad"),
 };
@@ -109,16 +104,8 @@ const named = ["rollers.name", undefined, ""]; // where no name says it
 const ROLLING = {
   "rollers.name": {},
   "rollers.kind": { when: named, default: "ball" },
-  "rollers.bore_diameter_mm": {},
-  "rollers.outer_diameter_mm": {},
-  "rollers.width_mm": {},
-  "rollers.radial_clearance_mm": {},
-  "rollers.dynamic_rating_N": {},
-  "rollers.static_rating_N": {},
-  "rollers.ratings": {},
-  "rollers.rolling_elements": {},
-  ...Object.fromEntries(["per_satellite", "max_radial_load_N", "max_static_radial_load_N", "friction_coefficient", "limiting_speed_rpm"]
-    .map((name) => [`rollers.${name}`, rare])),
+  ...each("rollers", {}, "bore_diameter_mm", "outer_diameter_mm", "width_mm", "radial_clearance_mm", "dynamic_rating_N", "static_rating_N",
+    "ratings", "rolling_elements", "per_satellite", "max_radial_load_N", "max_static_radial_load_N", "friction_coefficient", "limiting_speed_rpm"),
 };
 
 const LOSSES = {
@@ -140,57 +127,41 @@ const BEARINGS = {
   "gear.reference_pressure_angle_deg": { ...rare, ...ofTeeth },
   "gear.ring_pin_circle_radius_mm": { ...ofPins, ...needed },
   "gear.ring_pin_radius_mm": ofPins,
-  "gear.modification.equidistant_mm": discs,
-  "gear.modification.pin_circle_mm": discs,
-  "gear.ring_class": { ...rare, ...ofPins },
+  ...each("gear.modification", discs, "equidistant_mm", "pin_circle_mm"),
+  "gear.ring_class": ofPins,
   "gear.radial_force_ratio": { ...ofKind("ratio"), ...needed },
   "bearing.name": {},
   "bearing.kind": { default: "roller", when: ["bearing.name", undefined, ""] },
-  "bearing.dynamic_rating_N": {},
-  "bearing.static_rating_N": {},
-  "bearing.bore_diameter_mm": {},
-  "bearing.outer_diameter_mm": {},
-  "bearing.width_mm": {},
+  ...each("bearing", {}, "dynamic_rating_N", "static_rating_N", "bore_diameter_mm", "outer_diameter_mm", "width_mm"),
   "bearing.limiting_speed_rpm": rare,
   "bearing.reliability_percent": {},
-  "bearing.ring_factor": rare,
-  "bearing.weibull_slope": rare,
+  ...each("bearing", rare, "ring_factor", "weibull_slope"),
   ...asked("static_safety"),
 };
 
-const held = { ...rare, ...needed, when: ["gear.pin_support", "supported", "fixed"] };
+const held = { ...needed, when: ["gear.pin_support", "supported", "fixed"] };
 const TEETH = {
-  "gear.satellite_profile_shift": ofTeeth,
-  "gear.ring_profile_shift": ofTeeth,
-  "gear.satellite_addendum": ofTeeth,
-  "gear.ring_addendum": ofTeeth,
-  "gear.ring_material": ofTeeth,
+  ...each("gear", ofTeeth, "satellite_profile_shift", "ring_profile_shift", "satellite_addendum", "ring_addendum", "ring_material"),
   "gear.pin_material": ofPins,
   "gear.friction_coefficient": ofBoth,
   "gear.modification.rotation_arcmin": { ...rare, ...discs },
   "gear.contact_length_mm": { ...rare, ...ofBoth },
-  "gear.root_strength_MPa": ofTeeth,
-  "gear.cutter_teeth": ofTeeth,
-  ...Object.fromEntries(["satellite_tip_radius_mm", "ring_tip_radius_mm", "dedendum", "rack_tip_radius", "cutter_profile_shift",
-    "cutter_addendum", "face_load_factor", "pair_stiffness_N_per_mm"].map((name) => [`gear.${name}`, { ...rare, ...ofTeeth }])),
+  ...each("gear", ofTeeth, "root_strength_MPa", "cutter_teeth", "satellite_tip_radius_mm", "ring_tip_radius_mm", "dedendum", "rack_tip_radius",
+    "cutter_profile_shift", "cutter_addendum", "face_load_factor", "pair_stiffness_N_per_mm"),
   "gear.contact_law.kind": { ...rare, ...ofPins, options: [""], words: ["contact_law", "teeth"] },
-  "gear.contact_law.reference_depth_mm": { ...rare, when: ["gear.contact_law.kind", "hertz"], words: ["reference_depth", "teeth"] },
+  "gear.contact_law.reference_depth_mm": { when: ["gear.contact_law.kind", "hertz"], words: ["reference_depth", "teeth"] },
   ...lawAt("gear.contact_law", rare),
-  "gear.seat_stiffness_N_per_mm": { ...rare, ...ofPins },
-  "gear.sleeve_bore_radius_mm": { ...rare, ...ofPins },
-  "gear.rolling": { ...rare, ...ofPins },
+  ...each("gear", { ...rare, ...ofPins }, "seat_stiffness_N_per_mm", "sleeve_bore_radius_mm", "rolling"),
   "deviations.ring_pins": {
     ...ofPins,
     words: ["ring_pins", "teeth"],
     columns: deviated("ring_pin"),
     rows: ({ mechanism }) => counted(mechanism.ring_teeth ?? ratioOf(mechanism) + 1, (n) => message("real.pin", { pin: n + 1 })),
   },
-  "gear.pin_support": { ...rare, ...ofPins, default: "seat" },
-  "gear.span_mm": held,
-  "gear.satellite_positions_mm": held,
+  "gear.pin_support": { ...ofPins, default: "seat" },
+  ...each("gear", held, "span_mm", "satellite_positions_mm"),
   "gear.rotates": { ...held, required: false },
-  "gear.tool_radius_mm": { ...rare, ...ofPins },
-  "gear.every_second_pin": { ...rare, ...ofPins },
+  ...each("gear", ofPins, "tool_radius_mm", "every_second_pin"),
   ...asked("max_ring_backlash_arcmin", "max_transmission_error_arcmin", "min_ring_efficiency", "max_seat_pressure_MPa"),
 };
 
@@ -206,10 +177,7 @@ const CRANK = {
   ...shaftBearing(0, "a"),
   ...shaftBearing(1, "b"),
   "crankshaft.satellite_mass_kg": {},
-  "crankshaft.counterweights": rare,
-  "crankshaft.rotor_mass_kg": rare,
-  "crankshaft.eccentric_diameter_mm": rare,
-  "crankshaft.shaft_diameter_mm": rare,
+  ...each("crankshaft", rare, "counterweights", "rotor_mass_kg", "eccentric_diameter_mm", "shaft_diameter_mm"),
   ...asked("max_unbalance_N", "max_unbalance_couple_Nm", "max_unbalance_share", "balance_grade_mm_per_s"),
 };
 

@@ -2,7 +2,7 @@
 import { enduranceOf, requestOf } from "../../lib/fatigue.js";
 import { cell, stated } from "../../lib/verdict.js";
 import { formatQuantity, tidy, unitOf } from "../../lib/format.js";
-import { message } from "../../messages/index.js";
+import { message, quantityTitle } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { sentences } from "./sentences.js";
 
@@ -66,7 +66,7 @@ function lineTables({ contact_line: { lines } }) {
   ];
   return [{
     title: message("figure.contactLines"),
-    columns: columns.map((name) => ({ title: message(`quantity.${name}`).title, unit: unitOf(name) })),
+    columns: columns.map((name) => ({ title: quantityTitle(name), unit: unitOf(name) })),
     rows: lines.map((line) => columns.map((name) => line[name])),
   }];
 }
@@ -148,9 +148,9 @@ export default {
   mend: async ({ post, input }) => ({ shaft_deflection: await post(PATH, shaftBody(input, "fixes")) }),
 
   verdict: (answer) => [
-    cell("lineLength", answer.contact_line, lengthCell),
-    cell("lineLoad", answer.meshing_load, loadCell),
-    cell("deflection", answer.shaft_deflection, deflectionCell),
+    cell(message("verdict.lineLength"), answer.contact_line, lengthCell),
+    cell(quantityTitle("max_line_load_N_per_mm"), answer.meshing_load, loadCell),
+    cell(quantityTitle("deflection_C_mm"), answer.shaft_deflection, deflectionCell),
   ],
 
   elsewhere: ["lines"],

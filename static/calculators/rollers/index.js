@@ -2,7 +2,7 @@
 import { enduranceOf, requestOf } from "../../lib/fatigue.js";
 import { cell, stated } from "../../lib/verdict.js";
 import { formatNumber, formatQuantity } from "../../lib/format.js";
-import { message } from "../../messages/index.js";
+import { message, quantityTitle } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { sentences } from "./sentences.js";
 
@@ -71,9 +71,9 @@ export default {
   mend: async (asking) => ({ roller_strength: await asked(asking, "fixes") }),
 
   verdict: ({ roller_strength: section }) => [
-    cell("rollerForce", section, forceCell),
-    cell("nonuniformity", section, sharingCell),
-    cell("bendingStress", section, stressCell),
+    cell(quantityTitle("max_force_N"), section, forceCell),
+    cell(message("verdict.nonuniformity"), section, sharingCell),
+    cell(message("verdict.bendingStress"), section, stressCell),
   ],
 
   elsewhere: [],
