@@ -1,4 +1,4 @@
-/** A list of records as a small table of boxes: a row each, with buttons to add and remove rows. */
+/** A list of records as a small table of boxes: a row each, with buttons to add and remove rows; what all such tables have. */
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { cellsOf, stepped, textOfCells } from "../lib/form_state.js";
@@ -7,6 +7,40 @@ import { symbolMarkup } from "./parts.js";
 
 function about({ title, help }) {
   return help ? message("rows.help", { title, help }) : title;
+}
+
+/**
+ * The boxes of a table of records, one for each of the field's columns after the first `named` cells of a row; arrow keys step
+ * the one at hand, an empty one from `empty`. `typed()` tells of a change.
+ */
+export function boxTable(body, field, { named = 0, empty = "", typed }) {
+  const boxes = () => [...body.rows].map((row) => [...row.querySelectorAll("input")]);
+  const columnOf = (box) => (box.matches(".box") ? field.columns[box.closest("td").cellIndex - named] : null);
+  body.addEventListener("input", typed);
+  body.addEventListener("keydown", (event) => {
+    const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+    const column = columnOf(event.target);
+    if (!direction || !column || event.altKey || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    const next = stepped(column, event.target.value || empty, direction, event.shiftKey ? 10 : 1);
+    if (next === null) return;
+    event.target.value = next;
+    typed();
+  });
+  return {
+    boxes,
+    columnOf,
+    cells: () => boxes().map((row) => row.map((box) => box.value.replace(/[;|]/g, " "))),
+    /** Mark the box that is wrong, where one is. */
+    mark(place) {
+      for (const [r, row] of boxes().entries()) {
+        for (const [c, box] of row.entries()) {
+          if (place?.row === r && place.column === field.columns[c].name) box.setAttribute("aria-invalid", "true");
+          else box.removeAttribute("aria-invalid");
+        }
+      }
+    },
+  };
 }
 
 /** The same interface as a field's view: its text is that of the whole list. */
@@ -27,13 +61,7 @@ export function createRows(field, { on }) {
   let shown = null;
   let said = "";
 
-  function boxes() {
-    return [...body.rows].map((row) => [...row.querySelectorAll("input")]);
-  }
-
-  function columnOf(box) {
-    return box.matches(".box") ? field.columns[box.closest("td").cellIndex] : null;
-  }
+  const { boxes, columnOf, cells, mark } = boxTable(body, field, { typed });
 
   /** The line under the table: what is wrong, or what the box at hand means. */
   function explain() {
@@ -43,30 +71,19 @@ export function createRows(field, { on }) {
   }
 
   function typed() {
-    shown = textOfCells(boxes().map((row) => row.map((box) => box.value.replace(/[;|]/g, " "))));
+    shown = textOfCells(cells());
     on.typed(shown);
   }
 
   function render(rows) {
-    fill(body, html`${rows.map((cells, at) => html`<tr>${field.columns.map((column, c) => html`
+    fill(body, html`${rows.map((texts, at) => html`<tr>${field.columns.map((column, c) => html`
       <td><input class="box" type="text" inputmode="decimal" autocomplete="off" spellcheck="false"
         aria-describedby="${id}-message" aria-label="${message("rows.cell", { row: at + 1, title: column.title })}"
-        value="${cells[c] ?? ""}"></td>`)}
+        value="${texts[c] ?? ""}"></td>`)}
       <td><button type="button" class="remove-row" aria-label="${message("rows.removeRow", { row: at + 1 })}">×</button></td></tr>`)}`);
   }
 
-  body.addEventListener("input", typed);
   body.addEventListener("focusin", explain);
-  body.addEventListener("keydown", (event) => {
-    const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-    const column = columnOf(event.target);
-    if (!direction || !column || event.altKey || event.ctrlKey || event.metaKey) return;
-    event.preventDefault();
-    const next = stepped(column, event.target.value, direction, event.shiftKey ? 10 : 1);
-    if (next === null) return;
-    event.target.value = next;
-    typed();
-  });
   body.addEventListener("click", (event) => {
     const button = event.target.closest(".remove-row");
     if (!button) return;
@@ -96,13 +113,7 @@ export function createRows(field, { on }) {
       said = error || note;
       explain();
       root.classList.toggle("wrong", error !== "");
-      for (const [r, row] of boxes().entries()) {
-        for (const [c, box] of row.entries()) {
-          const here = error !== "" && place?.row === r && place.column === field.columns[c].name;
-          if (here) box.setAttribute("aria-invalid", "true");
-          else box.removeAttribute("aria-invalid");
-        }
-      }
+      mark(error === "" ? null : place);
     },
   };
 }

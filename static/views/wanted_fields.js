@@ -1,9 +1,10 @@
 /** Boxes of groups that are off until wanted: the switch, a set of choices, a table of the parts of a mechanism. */
-import { cellsOf, stepped, textOfCells } from "../lib/form_state.js";
+import { cellsOf, textOfCells } from "../lib/form_state.js";
 import { element, fill, html } from "../lib/html.js";
 import { shownUnit } from "../lib/units.js";
 import { message, quantityTitle, said } from "../messages/index.js";
 import { symbolMarkup } from "./parts.js";
+import { boxTable } from "./rows.js";
 
 /** The switch of a group; what it says is its title. */
 export function createSwitch(field, { on }) {
@@ -71,11 +72,10 @@ export function createGrid(field, { on }) {
   let shown = null; // the text on the screen, null where it has to be shown anew
   let said = {};
 
-  const boxes = () => [...body.rows].map((row) => [...row.querySelectorAll("input")]);
-  const columnOf = (box) => field.columns[box.closest("td").cellIndex - 1];
+  const table = boxTable(body, field, { named: 1, empty: "0", typed });
 
   function typed() {
-    const cells = boxes().map((row) => row.map((box) => box.value.replace(/[;|]/g, " ").trim()));
+    const cells = table.cells().map((row) => row.map((text) => text.trim()));
     shown = cells.flat().some(Boolean) ? textOfCells(cells) : "";
     on.typed(shown);
   }
@@ -84,12 +84,7 @@ export function createGrid(field, { on }) {
     const { error = "", place } = said;
     line.textContent = error;
     root.classList.toggle("wrong", error !== "");
-    for (const [r, row] of boxes().entries()) {
-      for (const [c, box] of row.entries()) {
-        if (error !== "" && place?.row === r && place.column === field.columns[c].name) box.setAttribute("aria-invalid", "true");
-        else box.removeAttribute("aria-invalid");
-      }
-    }
+    table.mark(error === "" ? null : place);
   }
 
   function render(text) {
@@ -101,30 +96,20 @@ export function createGrid(field, { on }) {
     fill(body, html`${rows.map((name, r) => html`<tr><th scope="row">${name}</th>${field.columns.map((column, c) => html`
       <td><input class="box" type="text" inputmode="decimal" autocomplete="off" spellcheck="false" aria-describedby="${id}-message"
         aria-label="${message("real.cell", { row: name, title: column.title })}" value="${cells[r]?.[c] ?? ""}"></td>`)}</tr>`)}`);
-    for (const [r, row] of boxes().entries()) for (const [c, box] of row.entries()) box.value = cells[r]?.[c] ?? "";
+    for (const [r, row] of table.boxes().entries()) for (const [c, box] of row.entries()) box.value = cells[r]?.[c] ?? "";
     mark();
   }
 
   let text = "";
   root.addEventListener("toggle", () => render(text));
-  body.addEventListener("input", typed);
   body.addEventListener("focusin", ({ target }) => {
-    if (!said.error) line.textContent = columnOf(target).title;
-  });
-  body.addEventListener("keydown", (event) => {
-    const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-    if (!direction || event.altKey || event.ctrlKey || event.metaKey) return;
-    event.preventDefault();
-    const next = stepped(columnOf(event.target), event.target.value || "0", direction, event.shiftKey ? 10 : 1);
-    if (next === null) return;
-    event.target.value = next;
-    typed();
+    if (!said.error) line.textContent = table.columnOf(target).title;
   });
   body.addEventListener("paste", (event) => {
     const cells = pasted(event.clipboardData.getData("text"));
     if (!cells) return;
     event.preventDefault();
-    const all = boxes();
+    const all = table.boxes();
     const from = all.findIndex((row) => row.includes(event.target));
     const at = all[from].indexOf(event.target);
     for (const [r, row] of cells.entries()) {
