@@ -17,7 +17,6 @@ from app.calculations.crank_planetary_sections import (
     solve,
 )
 from app.calculations.cyclogram import cyclogram_figure, over_one_axis
-from app.calculations.design_mesh import MAX_DRAWN_PAIRS
 from app.calculations.ideal_forces import ContactForceResponse, CyclogramResponse, ForceCurvesOut
 from app.calculations.involute_mesh import drawn_path
 from app.calculations.load_sharing_answer import RealCyclogramOut
@@ -45,6 +44,7 @@ from app.sources import (
 from app.theme import Figure, Theme
 from app.units import from_si
 from app.worked import worked
+from core.design.drawings import MAX_DRAWN_PAIRS
 from core.errors import if_known
 from core.worked.crank import bearing_steps, shaft_steps
 from core.worked.hertz import judged_steps

@@ -5,7 +5,6 @@ from collections.abc import Callable, Iterator
 from functools import cached_property, partial
 from typing import Any, ClassVar, Literal, Self, get_args
 
-import numpy as np
 from pydantic import Field, model_validator
 
 from app.calculations.both_meshes import RingTurnOut
@@ -23,7 +22,7 @@ from app.calculations.crank_planetary_answer import (
     LoadSharingOut,
 )
 from app.calculations.crankshaft import CrankshaftResponse
-from app.calculations.design_mesh import drawing_of, mesh_of
+from app.calculations.design_mesh import mesh_of
 from app.calculations.document import TORQUE, TOUCHING, DocumentFields, Needs, StrengthFields
 from app.calculations.geometry_answer import GeometryOut
 from app.calculations.hertz import entry_of
@@ -39,6 +38,7 @@ from app.calculations.output_efficiency import OutputEfficiencyResponse
 from app.calculations.pin_rollers_answer import RollersOut
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.reducer_fixes import fixes_of
+from app.calculations.ring_mesh_answer import RingDrawingOut
 from app.calculations.satellite_bearing import (
     SatelliteBearingResponse,
 )
@@ -57,7 +57,6 @@ from app.model import (
 from app.rules import field_error
 from app.settings import Settings
 from app.units import to_si
-from core.arrays import FloatArray
 from core.checks.check import Verdict
 from core.checks.cold_yield import ColdYield, cold_yield
 from core.checks.crank_planetary import cannot_mesh
@@ -69,6 +68,7 @@ from core.checks.usual_modification import (
     usual_modification,
 )
 from core.design.crank_results import MOST_BEARING_PAIRS
+from core.design.drawings import pins_in_holes, ring_drawing
 from core.design.real_forces import RealForces
 from core.design.results import MOST_IN_SERIES, MOST_PIN_PAIRS
 from core.errors import CalculationError, Notice, if_known, is_known
@@ -76,7 +76,7 @@ from core.fixes.crank import possible
 from core.fixes.fix import Fix
 from core.materials import NOT_LISTED
 from core.output.contact_force import ContactForce, ForceCurves, PairNumber, drawing_angles
-from core.output.mechanism import Mechanism, PinGeometry, pin_geometry
+from core.output.mechanism import Mechanism
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
 from core.output.turn import Turn
 from core.ring.series_turn import SeriesOverTurn
@@ -450,7 +450,8 @@ def _ring_mesh(body: CrankPlanetaryRequest) -> Values:
 
 
 def _drawing(body: CrankPlanetaryRequest) -> Values | None:
-    return drawing_of(body.results)
+    drawn = ring_drawing(body.results)
+    return RingDrawingOut.values(drawn) if drawn else None
 
 
 def _pin_strength(body: CrankPlanetaryRequest) -> Values:
@@ -478,28 +479,10 @@ def _rollers(body: CrankPlanetaryRequest) -> Values:
     return RollersOut.values(found, took_us, forces=body.forces)
 
 
-def _pins_and_holes(body: CrankPlanetaryRequest) -> tuple[PinGeometry, FloatArray]:
-    """Pins and holes at the crank angle, and the force of each pair there, N."""
-    load = body.known_load
-    crank_angle = to_si("crank_angle_deg", body.crank_angle_deg)
-    pair, radius = body.design.nominal_pair, body.design.pin_circle_radius
-    geometry = pin_geometry(
-        mechanism=body.design.built,
-        crank_angle=crank_angle,
-        pin_radius=pair.pin_radius,
-        hole_radius=pair.hole_radius,
-        eccentricity=body.design.pin_fit.eccentricity,
-        pin_circle_radius=radius,
-    )
-    if not body.results.solved:
-        forces = load.forces_at(body.design.driven, body.design.members, crank_angle)
-    else:
-        forces = np.array(body.results.forces_at(crank_angle))
-    return geometry, forces
-
-
 def _geometry(body: CrankPlanetaryRequest) -> Values:
-    return GeometryOut.values(*timed(partial(_pins_and_holes, body)))
+    crank_angle = to_si("crank_angle_deg", body.crank_angle_deg)
+    there = partial(pins_in_holes, results=body.results, crank_angle=crank_angle)
+    return GeometryOut.values(*timed(there))
 
 
 def _usual_fit(body: CrankPlanetaryRequest) -> Values | None:

@@ -4,7 +4,6 @@ import math
 from dataclasses import replace
 from typing import Any, Literal
 
-import numpy as np
 from pydantic import Field
 
 from app.calculations.mechanism import MechanismFields, PairOut
@@ -34,9 +33,7 @@ from core.output.contact_force import (
     cyclogram,
     drawing_angles,
     force_curves,
-    force_ratios,
     output_torque_from_input,
-    reference_force,
 )
 from core.output.mechanism import AssemblyAngle, Mechanism, Members, assembly_angles
 
@@ -264,20 +261,6 @@ class LoadFields(CurveFields, TorqueFields):
             equal_sharing="equal_sharing" in self.include,
             approximation="approximation" in self.include,
         )
-
-    def forces_at(self, mechanism: Mechanism, members: Members, crank_angle: float) -> FloatArray:
-        """Force of every pair, N, shape (K, N), at a crank angle, rad."""
-        reference = reference_force(
-            output_torque=self.pin_torque(members),
-            pin_circle_radius=to_si("pin_circle_radius_mm", self.pin_circle_radius_mm),
-        )
-        ratios = force_ratios(
-            mechanism=mechanism,
-            crank_angles=np.array([crank_angle]),
-            force_exponent=self.force_exponent,
-        )
-        forces: FloatArray = reference * ratios[0]
-        return forces
 
     def solve_for_drawing(
         self, mechanism: Mechanism, members: Members

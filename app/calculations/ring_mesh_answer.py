@@ -1,6 +1,6 @@
 """Answer about the mesh of satellites with ring pins or involute ring teeth."""
 
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -14,14 +14,12 @@ from app.model import (
     ResponseModel,
     Values,
     WarningOut,
-    present,
     result,
 )
 from app.units import from_si, rounded
 from core.crank.ring_mesh import cycloid_mesh
-from core.design.drawings import DrawnMesh, DrawnTeeth
+from core.design.drawings import MadeRingPin, RingDrawing
 from core.ring.loss import RingLoss
-from core.ring.mesh_curves import MeshCurves, SeriesCurves
 from core.ring.profile import CycloidDisc, OutlinePoints
 from core.ring.shared_pairs import PairsThatCarry
 from core.ring.sharing import IdealMesh, MeshPosition, MeshTurn, ideal_mesh
@@ -127,100 +125,30 @@ class ProfileOut(ResponseModel):
         return cls.values(points, closed=True, points=found.tolist())
 
 
-class RingPinOut(ResponseModel):
+class RingPinOut(ResponseModel, of=MadeRingPin):
     """Ring pin as it is made."""
 
-    pin: int = result("Number of the pin, from 1.", symbol="k")
-    centre_mm: tuple[float, float] = result("Centre of the pin, X and Y.", symbol="P_k")
-    radius_mm: float = result("Radius of the pin.", symbol="r")
 
-
-class RingDrawingOut(ResponseModel):
+class RingDrawingOut(ResponseModel, of=RingDrawing):
     """Satellites and ring as they are drawn (Y up through output pin 1 at crank angle 0, X right):
     outline and place of a disc, and curves of its pins over the turn of the crank.
     """
 
-    lobe_mm: Maybe[list[list[float]]] = result(
-        "Points x, y of one lobe about the disc's centre, clockwise from a valley that points "
-        "up. The other lobes are equal, and each begins at the end of the one before. The lobe "
-        "of involute teeth reaches from the middle of a space to the middle of the next. The "
-        "points are absent if flanks are turned, as the outline is not known."
-    )
-    ring_lobe_mm: Maybe[list[list[float]]] = result(
-        "Points x, y of one tooth of an involute ring about the axis, from the middle of a "
-        "space to the middle of the next; without a cutter flanks continue to the roots."
-    )
-    ring_turn_deg: Maybe[float] = result(
-        "Angle of the involute ring from the position with a space pointing up, anticlockwise.",
-        equation="−φ₀",
-    )
-    turn_deg: list[float] = result(
-        "Angle of each disc at the crank angle 0, anticlockwise; over the turn it grows by the "
-        "crank angle over the ratio.",
-        equation="α_j/u − φ₀; of involute teeth π/z₂ more",
-    )
-    ring_pins: Maybe[list[RingPinOut]] = result("Pins of the ring, if it is a ring of pins.")
-    crank_angle_deg: Maybe[list[float]] = result(
-        "Crank angles of forces and gaps, until the pattern repeats; absent, as are forces and "
-        "gaps, if this takes too many angles.",
-        symbol="φ",
-    )
-    repeats_after_deg: Maybe[float] = result(
-        "Crank angle after which forces and gaps repeat, at pins further on."
-    )
-    pins_further: Maybe[int] = result(
-        "Number of pins by which forces and gaps have moved on after that crank angle."
-    )
-    force_N: Maybe[list[list[list[float]]]] = result(
-        "Force of each ring pin at the crank angles, satellite by satellite.", symbol="F_jk"
-    )
-    gap_mm: Maybe[list[list[list[float]]]] = result(
-        "Gap between disc and ring pin under the torque; 0 if they press."
-    )
-
     @classmethod
-    def of_teeth(cls, drawn: DrawnTeeth) -> dict[str, object]:
-        """The values of involute satellites and their ring."""
-        return {
-            name: rounded(from_si(name, np.array(value)), DRAWN_DIGITS).tolist()
-            for name, value in {
-                "lobe_mm": drawn.lobe,
-                "turn_deg": drawn.turns,
-                "ring_lobe_mm": drawn.ring_lobe,
-                "ring_turn_deg": drawn.ring_turn,
-            }.items()
-        }
+    def values(cls, result: RingDrawing, run_time_us: float | None = None, **given: Any) -> Values:
+        """Values of a drawing, with digits that can be seen."""
+        found = super().values(result, run_time_us, **given)
+        exact = ("repeats_after_deg", "pins_further", "ring_pins")
+        short = {name: _short(each) for name, each in found.items() if name not in exact}
+        pins = found.get("ring_pins", ())
+        for name in ("centre_mm", "radius_mm") if pins else ():
+            for pin, each in zip(pins, _short([pin[name] for pin in pins]), strict=True):
+                pin[name] = each
+        return found | short
 
-    @classmethod
-    def with_curves(cls, drawn: DrawnMesh, curves: MeshCurves | SeriesCurves) -> dict[str, object]:
-        """Values of discs and ring, with curves of forces."""
-        values = cls.of(
-            drawn, crank_angle_deg=curves.crank_angle, force_N=curves.force, gap_mm=curves.gap
-        )
-        values["repeats_after_deg"] = float(from_si("repeats_after_deg", curves.period))
-        values["pins_further"] = curves.further
-        return values
 
-    @classmethod
-    def of(cls, drawn: DrawnMesh, **curves: object) -> dict[str, object]:
-        """The values of discs and ring, and curves over the turn, in SI units."""
-        own: Values = {
-            "turn_deg": drawn.turns,
-            "centre_mm": drawn.pin_centres,
-            "radius_mm": drawn.pin_radii,
-            "lobe_mm": drawn.lobe,
-        }
-        own |= curves
-        values = {
-            name: rounded(from_si(name, np.array(value)), DRAWN_DIGITS).tolist()
-            for name, value in present(own).items()
-        }
-        sizes = zip(values.pop("centre_mm"), values.pop("radius_mm"), strict=True)
-        values["ring_pins"] = [
-            {"pin": k + 1, "centre_mm": centre, "radius_mm": radius}
-            for k, (centre, radius) in enumerate(sizes)
-        ]
-        return values
+def _short(values: Any) -> Any:
+    return rounded(np.array(values), DRAWN_DIGITS).tolist()
 
 
 class SharedPairsOut(ResponseModel, of=PairsThatCarry):

@@ -16,7 +16,9 @@ space, turned by half a pitch more.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
@@ -24,12 +26,33 @@ from core.arrays import ComplexArray, FloatArray
 from core.design.document import Design
 from core.design.refusals import named
 from core.design.results import Results
-from core.errors import ImpossibleMechanism, InvalidInput, NotKnown, if_known, required
+from core.errors import (
+    Accuracy,
+    ImpossibleMechanism,
+    InvalidInput,
+    Notice,
+    NotKnown,
+    if_known,
+    required,
+)
+from core.fields import Output, answer
+from core.output.contact_force import force_ratios, reference_force
 from core.output.mechanism import pin_geometry
 from core.ring.involute import InvolutePair
+from core.ring.mesh_curves import MeshCurves, SeriesCurves
 from core.ring.profile import MOST_POINTS, CycloidDisc, outline_points
+from core.ring.series_teeth import TeethInSeries
 from core.ring.sharing import CycloidMesh
 from core.ring.tooth_outline import ring_outline, satellite_outline
+
+DRAWN_RING = 120
+"""Least number of crank angles at which discs and ring are drawn."""
+
+MAX_DRAWN_PAIRS = 240
+"""Largest number of pairs of discs and ring that are drawn."""
+
+DRAWN_ERROR = 1e-5
+"""Chord error of the drawn outline, m."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,28 +97,124 @@ class DrawnRing:
     root_assumed: bool  # True if the root circle is assumed, as no cutter is given
 
 
-@dataclass(frozen=True, slots=True)
-class DrawnTeeth:
-    """Involute satellites and their ring, about their own axes; lengths in m. A pitch reaches
-    clockwise from the middle of a space up to the next, without its end point, and repeats.
+class MadeRingPin(NamedTuple):
+    """Ring pin as it is made, about the axis of the reducer."""
+
+    pin: Annotated[int, Output("", "k")]
+    """Number of the pin, from 1."""
+    centre: Annotated[tuple[float, float], Output("mm", "P_k")]
+    """Centre of the pin, X and Y."""
+    radius: Annotated[float, Output("mm", "r")]
+    """Radius of the pin."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RingDrawing:
+    """Satellites about their own axes and their ring as it is made. A lobe has no end point, as the
+    next one begins there.
     """
 
-    lobe: FloatArray  # a pitch of a satellite, shape (n, 2)
-    turns: tuple[float, ...]  # rotation of each satellite from an upright space, anticlockwise, rad
-    ring_lobe: FloatArray  # a pitch of the ring, shape (n, 2)
-    ring_turn: float  # rotation of the ring from an upright space, anticlockwise, rad
+    lobe: FloatArray | None = answer("mm", default=None, depth=2)
+    """Points x, y of one lobe about the disc's centre, clockwise from a valley that points up. The
+    other lobes are equal, and each begins at the end of the one before. The lobe of involute teeth
+    reaches from the middle of a space to the middle of the next. The points are absent if flanks
+    are turned, as the outline is not known."""
+    ring_lobe: FloatArray | None = answer("mm", default=None, depth=2)
+    """Points x, y of one tooth of an involute ring about the axis, from the middle of a space to
+    the middle of the next; without a cutter flanks continue to the roots."""
+    ring_turn: float | None = answer("deg", "", "−φ₀", default=None)
+    """Angle of the involute ring from the position with a space pointing up, anticlockwise."""
+    turn: tuple[float, ...] = answer("deg", "", "α_j/u − φ₀; of involute teeth π/z₂ more")
+    """Angle of each disc at the crank angle 0, anticlockwise; over the turn it grows by the crank
+    angle over the ratio."""
+    ring_pins: tuple[MadeRingPin, ...] | None = answer(default=None)
+    """Pins of the ring, if it is a ring of pins."""
+    crank_angle: FloatArray | None = answer("deg", "φ", default=None)
+    """Crank angles of forces and gaps, until the pattern repeats; absent, as are forces and gaps,
+    if this takes too many angles."""
+    repeats_after: float | None = answer("deg", default=None)
+    """Crank angle after which forces and gaps repeat, at pins further on."""
+    pins_further: int | None = answer(default=None)
+    """Number of pins by which forces and gaps have moved on after that crank angle."""
+    force: FloatArray | None = answer("N", "F_jk", default=None, depth=3)
+    """Force of each ring pin at the crank angles, satellite by satellite."""
+    gap: FloatArray | None = answer("mm", default=None, depth=3)
+    """Gap between disc and ring pin under the torque; 0 if they press."""
+
+
+class PlacedPin(NamedTuple):
+    """Output pin with its centre."""
+
+    pin: Annotated[int, Output("", "n")]
+    """Number of the pin, from 1."""
+    centre: Annotated[tuple[float, float], Output("mm", "M_n", "2021, before eq. 6")]
+    """Centre of the pin, X and Y."""
+
+
+class PlacedPair(NamedTuple):
+    """Hole, contact point and pressure angle of one pair."""
+
+    satellite: Annotated[int, Output("", "j")]
+    """Number of the satellite, from 1."""
+    pin: Annotated[int, Output("", "n")]
+    """Number of the pin, from 1."""
+    hole_centre: Annotated[tuple[float, float], Output("mm", "B_jn", "2021, before eq. 6")]
+    """Centre of the hole, X and Y."""
+    contact_point: Annotated[tuple[float, float], Output("mm", "E_jn", "2021, before eq. 6")]
+    """Contact point, X and Y."""
+    pressure_angle: Annotated[float, Output("deg", "γ_jn", "2021, eq. 6")]
+    """Angle between the velocity of the pin and the force."""
+    driving: Annotated[bool, Output()]
+    """True if the pair transmits force."""
+    force: Annotated[float, Output("N", "F_jn", "2021, eq. 10")]
+    """Force of the pair."""
 
 
 @dataclass(frozen=True, slots=True)
-class DrawnMesh:
-    """Discs and ring pins as they are made, about their own axes; lengths in m."""
+class PinsInHoles:
+    """Pins and holes at one crank angle, with the forces of the pairs there."""
 
-    # One lobe, clockwise from a valley up to the next, without its end point, shape (n, 2). None
-    # for flanks modified by a rotation, whose outline is not known.
-    lobe: FloatArray | None
-    turns: tuple[float, ...]  # rotation of each disc from an upright valley, anticlockwise, rad
-    pin_centres: FloatArray  # centres with deviations, anticlockwise, shape (z_p, 2)
-    pin_radii: FloatArray  # radii with deviations, shape (z_p,)
+    clearance: float = answer("mm", "c")
+    """Radius of the hole less that of the pin and less the eccentricity; negative for
+    interference."""
+    pins: tuple[PlacedPin, ...] = answer()
+    """Pins in the order of their numbers."""
+    pairs: tuple[PlacedPair, ...] = answer()
+    """Pairs of pins and holes, satellite by satellite."""
+    accuracy: Accuracy = answer()
+    notices: tuple[Notice, ...] = answer()
+
+
+def pins_in_holes(*, results: Results, crank_angle: float) -> PinsInHoles:
+    """Output pins and holes at a crank angle, rad, with solved forces, or else ideal ones."""
+    design = results.design
+    pair, radius = design.nominal_pair, design.pin_circle_radius
+    found = pin_geometry(
+        mechanism=design.built,
+        crank_angle=crank_angle,
+        pin_radius=pair.pin_radius,
+        hole_radius=pair.hole_radius,
+        eccentricity=design.pin_fit.eccentricity,
+        pin_circle_radius=radius,
+    )
+    if results.solved:
+        forces = results.forces_at(crank_angle)
+    else:
+        reference = reference_force(output_torque=design.pin_torque, pin_circle_radius=radius)
+        ratios = force_ratios(
+            mechanism=design.driven,
+            crank_angles=np.array([crank_angle]),
+            force_exponent=design.load.force_exponent,
+        )
+        forces = (reference * ratios[0]).tolist()
+    columns = (found.hole_centres, found.contact_points, found.pressure_angles)
+    pairs = (
+        PlacedPair(j, n, hole, contact, angle, force > 0, force)
+        for j, discs in enumerate(zip(*(each.tolist() for each in columns), forces, strict=True), 1)
+        for n, (hole, contact, angle, force) in enumerate(zip(*discs, strict=True), 1)
+    )
+    pins = (PlacedPin(n, centre) for n, centre in enumerate(found.pin_centres.tolist(), 1))
+    return PinsInHoles(found.clearance, (*pins,), (*pairs,), found.accuracy, found.notices)
 
 
 def drawn_disc(*, design: Design) -> CycloidDisc:
@@ -250,32 +369,63 @@ def drawn_ring(*, design: Design, chord_error: float) -> DrawnRing:
     )
 
 
-def drawn_teeth(*, design: Design, chord_error: float) -> DrawnTeeth:
-    """Pitches of the involute satellites and the ring of a design; raises as `drawn_ring` does."""
-    pair, own = drawn_pair(design=design), design.mechanism
-    return DrawnTeeth(
-        lobe=satellite_outline(pair=pair, chord_error=chord_error).points,
-        turns=tuple(_turn(design, crank) for crank in design.crank_angles),
-        ring_lobe=ring_outline(pair=pair, chord_error=chord_error).points,
-        ring_turn=-own.initial_crank_angle,
+def ring_drawing(results: Results) -> RingDrawing | None:
+    """Satellites in their ring, with curves of forces and gaps of ring pins under the torque; None
+    for too many pairs, and for involute teeth without an outline.
+    """
+    design = results.design
+    if design.gear.kind == "involute":
+        return if_known(partial(_drawn_teeth, design))
+    turn = results.ring.working[0]
+    pairs = turn.mesh.disc.pins * design.mechanism.satellites
+    if pairs > MAX_DRAWN_PAIRS:
+        return None
+    drawn = _drawn_mesh(design, turn.mesh)
+    curves: MeshCurves | SeriesCurves
+    if isinstance(turn, TeethInSeries):
+        curves = SeriesCurves.over_period(turn, DRAWN_RING)
+        if pairs * len(curves.crank_angle) > MAX_DRAWN_PAIRS * (DRAWN_RING + 1):
+            return drawn
+    else:
+        curves = MeshCurves(turn, DRAWN_RING)
+    return replace(
+        drawn,
+        crank_angle=curves.crank_angle,
+        repeats_after=curves.period,
+        pins_further=curves.further,
+        force=curves.force,
+        gap=curves.gap,
     )
 
 
-def drawn_mesh(*, design: Design, mesh: CycloidMesh, chord_error: float) -> DrawnMesh:
-    """Discs of a design on the pins of their ring, as `mesh` has them; `chord_error` in m."""
+def _drawn_teeth(design: Design) -> RingDrawing:
+    """Involute satellites and their ring; raises as `drawn_ring` does."""
+    pair = drawn_pair(design=design)
+    return RingDrawing(
+        lobe=satellite_outline(pair=pair, chord_error=DRAWN_ERROR).points,
+        turn=tuple(_turn(design, crank) for crank in design.crank_angles),
+        ring_lobe=ring_outline(pair=pair, chord_error=DRAWN_ERROR).points,
+        ring_turn=-design.mechanism.initial_crank_angle,
+    )
+
+
+def _drawn_mesh(design: Design, mesh: CycloidMesh) -> RingDrawing:
+    """Discs on the pins of their ring, as `mesh` has them."""
     disc, made, start = mesh.disc, mesh.deviations, design.mechanism.initial_crank_angle
     lobe = None
     if disc.modification.rotation == 0:
-        points = outline_points(disc=disc, chord_error=chord_error).points
+        points = outline_points(disc=disc, chord_error=DRAWN_ERROR).points
         lobe = points[: len(points) // disc.satellite_teeth]
     radial, tangential, larger, *_ = made.each(pins=disc.pins, satellites=len(mesh.crank_angles))
     around = 2 * math.pi * np.arange(disc.pins) / disc.pins - start
     place = disc.ring_pin_circle_radius + np.array(radial) + 1j * np.array(tangential)
-    return DrawnMesh(
+    centres = _plane(1j * place * np.exp(1j * around)).tolist()
+    radii = (disc.ring_pin_radius + np.array(larger)).tolist()
+    pins = enumerate(zip(centres, radii, strict=True), 1)
+    return RingDrawing(
         lobe=lobe,
-        turns=tuple(_turn(design, crank) for crank in design.crank_angles),
-        pin_centres=_plane(1j * place * np.exp(1j * around)),
-        pin_radii=disc.ring_pin_radius + np.array(larger),
+        turn=tuple(_turn(design, crank) for crank in design.crank_angles),
+        ring_pins=tuple(MadeRingPin(k, centre, radius) for k, (centre, radius) in pins),
     )
 
 
