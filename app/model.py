@@ -5,7 +5,7 @@ import re
 import time
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property, lru_cache, partial, reduce
+from functools import cache, cached_property, partial, reduce
 from itertools import chain
 from operator import or_
 from types import NoneType
@@ -210,34 +210,34 @@ class RequestModel(BaseModel):
         register(cls)
 
     @cached_property
-    def core_paths(self) -> dict[str, tuple[str, ...]]:
-        """Path of the field of each core parameter, in this model or nested ones, by its name alone
-        (the first one counts) and with the names of the models around it, ``pin.diameter``.
-        """
-        return core_paths(self.shape)
+    def given_paths(self) -> frozenset[tuple[str, ...]]:
+        """Paths of the fields that have a value, also in models within."""
+        found, fields = list[tuple[str, ...]](), type(self).model_fields
+        for name, value in self.given.items():
+            found.append((fields[name].alias or name,))
+            if isinstance(value, RequestModel):
+                found += [(name, *path) for path in value.given_paths]
+        return frozenset(found)
 
     def path_of(self, parameter: str) -> tuple[str | int, ...]:
-        """Path of the field of a core parameter, as ``rollers[2].z_max``; empty without a field."""
-        path = self.core_paths.get(parameter, ())
-        if path or "[" not in parameter:
-            return path
+        """Path of the field of a core parameter, as ``rollers[2].z_max``; empty without a field. A
+        name without its section stands for a field of a given section, the first given one if any.
+        """
         parts = re.findall(r"[^.\[\]]+", parameter)
         own = [part for part in parts if not part.isdigit()]
-        path = self.core_paths.get(".".join(own), ())
-        if not path:
+        paths = [
+            each
+            for each in core_paths(type(self)).get(".".join(own), ())
+            if len(each) == len(own) or each[: -len(own)] in self.given_paths
+        ]
+        if not paths:
+            return ()
+        path = next((each for each in paths if each in self.given_paths), paths[0])
+        if len(own) == len(parts):
             return path
         above = len(path) - len(own)
         names = iter(path[above:])
         return (*path[:above], *(int(part) if part.isdigit() else next(names) for part in parts))
-
-    @cached_property
-    def shape(self) -> "Shape":
-        """Model, and its given fields with the shapes of nested models."""
-        given = [
-            (name, value.shape if isinstance(value, RequestModel) else None)
-            for name, value in self.given.items()
-        ]
-        return type(self), tuple(given)
 
     @model_validator(mode="after")
     def _one_form_and_kind(self) -> Self:
@@ -350,7 +350,7 @@ def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
     """Conversion of the fields of a request to the core, by field."""
     plan = {}
     for name, field in model.model_fields.items():
-        part = any(hasattr(held, "section") for held, _ in _held(field.annotation))
+        part = any(hasattr(held, "section") for held in _held(field.annotation))
         convert = model.CONVERTERS.get(name) or (_section if part else to_si_converter(name))
         plan[name] = _InCore(core_name(name), convert)
     return plan
@@ -434,47 +434,30 @@ class WorkedFields(RequestModel):
         return own
 
 
-Shape = tuple[type[RequestModel], tuple[tuple[str, "Shape | None"], ...]]
-"""Model of a request with its given fields, which determines the paths of fields."""
-
-
-@lru_cache(maxsize=512)
-def core_paths(shape: Shape) -> dict[str, tuple[str, ...]]:
-    """Paths of the fields of a request, by its shape; a nested model that is not given counts as
-    given. A plain parameter name stands for the first given field of that name, or else the first
-    one.
+@cache
+def core_paths(model: type[RequestModel]) -> dict[str, list[tuple[str, ...]]]:
+    """Paths of the fields of a request, also in models within, by the names of their parameters in
+    core, with and without the sections around them.
     """
-    model, within = shape[0], present(dict(shape[1]))
-    plan = _core_plan(model)
-    found: dict[str, tuple[str, ...]] = {}
-    for name, (core, _) in reversed(plan.items()):
-        found[core] = (model.model_fields[name].alias or name,)
+    plan, found = _core_plan(model), dict[str, list[tuple[str, ...]]]()
     for name, (core, _) in plan.items():
-        held = [within[name]] if name in within else _held(model.model_fields[name].annotation)
-        for each in held:
-            for parameter, path in core_paths(each).items():
-                found.setdefault(f"{core}.{parameter}", (name, *path))
-    within_it = {name: (core_paths(inner), {*given_paths(inner)}) for name, inner in within.items()}
-    for missing in (False, True):
-        for name, (paths, given) in within_it.items():
-            for parameter, path in paths.items():
-                if missing or path in given:
-                    found.setdefault(parameter, (name, *path))
+        found.setdefault(core, [(model.model_fields[name].alias or name,)])
+    own = found.copy()
+    for name, (core, _) in plan.items():
+        for held in _held(model.model_fields[name].annotation):
+            for parameter, paths in core_paths(held).items():
+                within = [(name, *path) for path in paths]
+                found.setdefault(f"{core}.{parameter}", []).extend(within)
+                if parameter not in own:
+                    found.setdefault(parameter, []).extend(within)
     return found
 
 
-def given_paths(shape: Shape) -> Iterator[tuple[str, ...]]:
-    """Paths of the fields that requests of a shape have given."""
-    yield from ((shape[0].model_fields[name].alias or name,) for name, _ in shape[1])
-    for name, inner in present(dict(shape[1])).items():
-        yield from ((name, *path) for path in given_paths(inner))
-
-
-def _held(annotation: Any) -> list[Shape]:
-    """Shapes of the models that an annotation allows, alone or in lists."""
+def _held(annotation: Any) -> list[type[RequestModel]]:
+    """Models that an annotation allows, alone or in lists."""
     if isinstance(annotation, type) and issubclass(annotation, RequestModel):
-        return [(annotation, ())]
-    return [shape for each in get_args(annotation) for shape in _held(each)]
+        return [annotation]
+    return [model for each in get_args(annotation) for model in _held(each)]
 
 
 Values = dict[str, Any]

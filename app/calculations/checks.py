@@ -14,10 +14,8 @@ from app.model import (
     Maybe,
     RequestModel,
     ResponseModel,
-    Shape,
     Values,
     core_paths,
-    given_paths,
     pointer,
     present,
     result,
@@ -289,14 +287,15 @@ FOLLOWS = {
 
 
 @lru_cache(maxsize=64)
-def _inputs(shape: Shape) -> dict[str, list[str]]:
+def _inputs(model: type[RequestModel], given: frozenset[tuple[str, ...]]) -> dict[str, list[str]]:
     """JSON pointers to the given inputs of each check, or to the fields that they follow from."""
-    paths, given = core_paths(shape), {*given_paths(shape)}
+    paths = core_paths(model)
 
     def there(*names: str) -> Iterator[str]:
         for name in names:
-            if paths.get(name) in given:
-                yield pointer(paths[name])
+            stated = [path for path in paths.get(name, ()) if path in given]
+            if stated:
+                yield pointer(stated[0])
             else:
                 yield from there(*FOLLOWS.get(name, ()))
 
@@ -330,7 +329,7 @@ def usual_values(body: Any, verdict: Verdict) -> dict[tuple[str, ...], float | s
     found: dict[tuple[str, ...], float | str] = {}
     decided = [each for each in verdict.checks if each.status in ("pass", "marginal", "fail")]
     for check, name in ((each, name) for each in decided for name in each.kind.inputs):
-        path = body.core_paths.get(name, ())
+        path = body.path_of(name)
         parent = _value(body, path[:-1])
         if not path or parent is None or path[-1] in parent.model_fields_set:
             continue
@@ -402,8 +401,7 @@ def _typed(body: RequestModel) -> dict[str, tuple[str | int, ...]]:
         "contact.hole_clearance",
         "pin.diameter",
     )
-    given = {*given_paths(body.shape)}
-    return {name: path for name in every if (path := body.core_paths.get(name)) in given}
+    return {name: path for name in every if (path := body.path_of(name)) in body.given_paths}
 
 
 def _short(value: float) -> float:
@@ -443,7 +441,7 @@ def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Value
         if math.isclose(float(_value(body, pin)), 2 * before, rel_tol=1e-12):  # without a sleeve
             sets[pointer(pin)] = 2 * to
     for name, value in fix.beside.items():
-        place = body.core_paths[name]  # fields of one section
+        place = body.path_of(name)  # fields of one section
         sets[pointer(place)] = _short(from_si(str(place[-1]), value))
     return path, {"from": before, "to": to, "exact": exact, "sets": sets}
 
@@ -499,7 +497,7 @@ def judgement(
     known = reserve is not None and verdict.largest_torque_known
     values: list[Values] | None = None
     if checks:
-        inputs = _inputs(body.shape)
+        inputs = _inputs(type(body), body.given_paths)
         shown = verdict.checks
         if verdict.impossible:  # no torque to be factors of
             shown = tuple(each._replace(torque_reserve=None) for each in shown)
