@@ -25,7 +25,6 @@ from app.record import root_path
 from app.registry import CALCULATIONS, NEGLECTED
 from app.sources import ISO_286
 from app.units import api_value, from_si, to_si
-from app.worked import VALUES
 from core.bearings import BEARINGS, NamedBearing, Ratings
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, NOT_CONSIDERED
@@ -601,7 +600,7 @@ def _words() -> Packed:
         verified=VERIFIED,
         not_considered=NOT_CONSIDERED,
         methods=METHODS,
-        worked_values=VALUES,
+        worked_values=worked_words.VALUES,
         worked_notes=worked_words.NOTES,
         worked_errata=worked_words.ERRATA,
         worked_sources=worked_words.SOURCES,

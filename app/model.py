@@ -56,6 +56,7 @@ from app.units import (
     shown_unit,
     to_si_converter,
 )
+from app.worked import Steps, worked
 from core.arrays import FloatArray
 from core.codes import WARNINGS, WAS
 from core.errors import METHODS, Accuracy, Notice, NotKnown, within
@@ -327,6 +328,10 @@ class RequestModel(BaseModel):
         """Notices of inputs that are interpreted differently from their typed form."""
         parts = (each for each in self.given.values() if isinstance(each, RequestModel))
         return tuple(chain.from_iterable(each.notices() for each in parts))
+
+    def steps(self) -> Steps | None:
+        """Worked steps by section of the answer; None if its calculation has none."""
+        return None
 
     def cost(self) -> float:
         """Number of calculated points, compared with `app.endpoint.LIGHT_COST`; infinite for
@@ -613,8 +618,6 @@ class Calculation:
     # Effects left out even with all sections given, keys of `app.registry.NEGLECTED`.
     neglects: tuple[str, ...] = ()
     batched: bool = True  # True if batches take it
-    # Module function: worked steps of a request, as `app.worked` makes them.
-    worked: Callable[[Any], list[Values]] | None = None
 
     def solved(self, body: Any, report: Report) -> Values:
         """Values of the answer to a request, without assumptions and notices."""
@@ -633,8 +636,9 @@ class Calculation:
             for path, value in body.assumed()
         ]:
             values["assumed"] = assumed
-        if self.worked is not None and "worked" in (body.include or ()):
-            values["worked"] = self.worked(body)
+        asked = "worked" in (getattr(body, "include", None) or ())
+        if asked and (steps := body.steps()) is not None:
+            values["worked"] = worked(steps)
         if notices := body.notices():
             values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
         if checks := values.get("checks"):

@@ -30,14 +30,13 @@ from app.theme import (
     vertical_line,
 )
 from app.units import from_si
-from app.worked import worked
+from app.worked import Steps
 from core.arrays import FloatArray
 from core.design.sections import Load, MechanismSection
 from core.output.contact_force import (
     ContactForce,
 )
 from core.worked.mechanism import force_steps
-from core.worked.step import Step
 
 RequestSection = Literal["curves", "equal_sharing", "approximation", "worked"]
 
@@ -75,11 +74,11 @@ class ContactForceRequest(
         """Contact force of the mechanism under the load."""
         return self.solve_for(self.mechanism(), self.members)
 
-    def steps(self) -> list[Step]:
+    def steps(self) -> Steps:
         """Worked steps of the force."""
         mechanism = self.mechanism()
         given = self.force_given(self.members)
-        return force_steps(mechanism=mechanism, found=self.solve(), **given)
+        return {"contact_force": force_steps(mechanism=mechanism, found=self.solve(), **given)}
 
 
 def contact_force_figure(
@@ -179,11 +178,6 @@ def figure(body: ContactForceRequest, theme: Theme = "light") -> Figure:
     return contact_force_figure(answer, from_si("switching_deg", switching), theme)
 
 
-def work(body: ContactForceRequest) -> list[Values]:
-    """Worked steps of the contact force."""
-    return worked(contact_force=body.steps())
-
-
 CALCULATION = Calculation(
     name="contact-force",
     title="Contact force",
@@ -191,7 +185,6 @@ CALCULATION = Calculation(
     request=ContactForceRequest,
     answer=ContactForceResponse,
     solve=solve,
-    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL),
     neglects=("clearance", "deviations", "friction", "pin_bending", "equal_discs"),

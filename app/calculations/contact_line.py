@@ -19,7 +19,7 @@ from app.model import (
 )
 from app.sources import KHATETOVSKY_2020
 from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, series_style, text
-from app.worked import worked
+from app.worked import Steps
 from core.errors import InvalidInput
 from core.precession.contact_line import (
     ContactLine,
@@ -29,7 +29,6 @@ from core.precession.contact_line import (
     contact_points,
 )
 from core.worked.precession import line_steps
-from core.worked.step import Step
 
 POINT_NUMBERS = 6
 """Numbers in the answer for each point."""
@@ -77,10 +76,10 @@ class ContactLineRequest(GearFields, group="load"):
             )
         return lines, [contact_points(line=line, samples=self.samples) for line in lines.lines]
 
-    def steps(self) -> list[Step]:
+    def steps(self) -> Steps:
         """Worked steps of the contact lines."""
         lines, _ = self.model_copy(update={"include": []}).solve()
-        return line_steps(gear=self.gear(), found=lines, by_angle=self.by_angle)
+        return {"contact_line": line_steps(gear=self.gear(), found=lines, by_angle=self.by_angle)}
 
 
 class PointsOut(ResponseModel, of=ContactPoints):
@@ -248,11 +247,6 @@ def figure(body: ContactLineRequest, theme: Theme = "light") -> Figure:
     return contact_line_figure(lines, body.roller_circle_radius_mm, body.roller_radius_mm, theme)
 
 
-def work(body: ContactLineRequest) -> list[Values]:
-    """Worked steps of the contact lines."""
-    return worked(contact_line=body.steps())
-
-
 CALCULATION = Calculation(
     name="precession/contact-line",
     title="Contact lines of the precessional gear",
@@ -260,7 +254,6 @@ CALCULATION = Calculation(
     request=ContactLineRequest,
     answer=ContactLineResponse,
     solve=solve,
-    worked=work,
     figure=figure,
     sources=(KHATETOVSKY_2020,),
     neglects=("deviations", "elasticity"),

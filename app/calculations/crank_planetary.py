@@ -1,8 +1,5 @@
 """Crank-planetary reducer as one job: its figures and worked steps, by sections of the answer."""
 
-from collections.abc import Callable
-from functools import partial
-
 from app.calculations.contact_force import contact_force_figure
 from app.calculations.crank_planetary_answer import (
     CrankPlanetaryResponse,
@@ -10,9 +7,7 @@ from app.calculations.crank_planetary_answer import (
 )
 from app.calculations.crank_planetary_sections import (
     CrankPlanetaryRequest,
-    Section,
     carrying_pairs,
-    ideal_force,
     real_curves,
     solve,
 )
@@ -26,7 +21,7 @@ from app.calculations.ring_mesh_figure import (
     path_figure,
     ring_mesh_figure,
 )
-from app.model import Calculation, Values, present
+from app.model import Calculation
 from app.problems import refusal
 from app.sources import (
     ARCHARD_1953,
@@ -43,18 +38,7 @@ from app.sources import (
 )
 from app.theme import Figure, Theme
 from app.units import from_si
-from app.worked import worked
 from core.design.drawings import MAX_DRAWN_PAIRS
-from core.errors import if_known
-from core.worked.crank import bearing_steps, shaft_steps
-from core.worked.hertz import judged_steps
-from core.worked.losses import loss_steps
-from core.worked.mechanism import clearance_steps, cyclogram_steps, force_steps
-from core.worked.members import member_steps
-from core.worked.pin_rollers import roller_steps
-from core.worked.pins import strength_steps
-from core.worked.ring import ring_steps
-from core.worked.step import Step
 
 DRAWN_SAMPLES = 361
 """Number of crank angles of solved forces in the figure."""
@@ -122,58 +106,6 @@ def figure(body: CrankPlanetaryRequest, theme: Theme = "light") -> Figure:
     return over_one_axis(_pattern_figure(body, theme), _force_figure(body, theme))
 
 
-def _work_cyclogram(body: CrankPlanetaryRequest) -> list[Step]:
-    found, _ = body.mechanism.solve()
-    return cyclogram_steps(found=found, **body.mechanism.cyclogram_given())
-
-
-def _work_contact_force(body: CrankPlanetaryRequest) -> list[Step]:
-    """Worked steps of the ideal force, with a remark if other forces are judged."""
-    return force_steps(
-        mechanism=body.design.driven,
-        found=ideal_force(body),
-        judged=not body.results.solved,
-        **body.known_load.force_given(body.design.members),
-    )
-
-
-def _work_clearance(body: CrankPlanetaryRequest) -> list[Step]:
-    fit, pair = body.design.pin_fit, body.design.nominal_pair
-    return clearance_steps(
-        clearance=fit.clearance,
-        pin_radius=pair.pin_radius,
-        hole_radius=pair.hole_radius,
-        eccentricity=fit.eccentricity,
-    )
-
-
-WORKED: dict[Section, Callable[[CrankPlanetaryRequest], list[Step]]] = {
-    "cyclogram": _work_cyclogram,
-    "members": lambda body: member_steps(body.results),
-    "contact_force": _work_contact_force,
-    "hertz": lambda body: judged_steps(body.results),
-    "geometry": _work_clearance,
-    "ring_mesh": lambda body: ring_steps(body.results),
-    "pin_strength": lambda body: strength_steps(
-        results=body.results, found=body.results.pin_strength, deflection=True
-    ),
-    "output_efficiency": lambda body: loss_steps(body.results),
-    "satellite_bearing": lambda body: bearing_steps(body.results),
-    "crankshaft": lambda body: shaft_steps(body.results),
-    "rollers": lambda body: roller_steps(body.results),
-}
-"""Functions that make the worked steps of sections; the other sections are solved over the turn."""
-
-
-def work(body: CrankPlanetaryRequest) -> list[Values]:
-    """Worked steps of the named sections, or of all usual sections that have steps."""
-    named = [each for each in body.sections if each in WORKED]
-    if named:
-        return worked(**{each: WORKED[each](body) for each in named})
-    usual = [each for each in body.usual_sections() if each in WORKED]
-    return worked(**present({each: if_known(partial(WORKED[each], body)) for each in usual}))
-
-
 CALCULATION = Calculation(
     name="crank-planetary",
     title="Crank-planetary reducer",
@@ -181,7 +113,6 @@ CALCULATION = Calculation(
     request=CrankPlanetaryRequest,
     answer=CrankPlanetaryResponse,
     solve=solve,
-    worked=work,
     figure=figure,
     sources=(
         YANCHEVSKIY_2021,

@@ -57,6 +57,7 @@ from app.model import (
 from app.rules import field_error
 from app.settings import Settings
 from app.units import to_si
+from app.worked import Steps
 from core.checks.check import Verdict
 from core.checks.cold_yield import ColdYield, cold_yield
 from core.checks.crank_planetary import cannot_mesh
@@ -80,6 +81,15 @@ from core.output.mechanism import Mechanism
 from core.output.real_cyclogram import RealCyclogram, carried_forces, real_cyclogram
 from core.output.turn import Turn
 from core.ring.series_turn import SeriesOverTurn
+from core.worked.crank import bearing_steps, shaft_steps
+from core.worked.hertz import judged_steps
+from core.worked.losses import loss_steps
+from core.worked.mechanism import clearance_steps, cyclogram_steps, force_steps
+from core.worked.members import member_steps
+from core.worked.pin_rollers import roller_steps
+from core.worked.pins import strength_steps
+from core.worked.ring import ring_steps
+from core.worked.step import Step
 
 Section = Literal[
     "cyclogram",
@@ -337,6 +347,14 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
         """True if no force is known, as parts cannot be assembled."""
         return cannot_mesh(self.results)
 
+    def steps(self) -> Steps:
+        """Worked steps of the named sections, or of all usual sections that have steps."""
+        named = [each for each in self.sections if each in WORKED]
+        if named:
+            return {each: WORKED[each](self) for each in named}
+        usual = [each for each in self.usual_sections() if each in WORKED]
+        return present({each: if_known(partial(WORKED[each], self)) for each in usual})
+
     @property
     def judges(self) -> bool:
         """True if the verdict is requested, or states why forces are left out."""
@@ -587,3 +605,46 @@ def solve(body: CrankPlanetaryRequest) -> Values:
     if warnings:
         sections["warnings"] = warnings
     return judged | {"model": body.forces} | sections
+
+
+def _work_cyclogram(body: CrankPlanetaryRequest) -> list[Step]:
+    found, _ = body.mechanism.solve()
+    return cyclogram_steps(found=found, **body.mechanism.cyclogram_given())
+
+
+def _work_contact_force(body: CrankPlanetaryRequest) -> list[Step]:
+    """Worked steps of the ideal force, with a remark if other forces are judged."""
+    return force_steps(
+        mechanism=body.design.driven,
+        found=ideal_force(body),
+        judged=not body.results.solved,
+        **body.known_load.force_given(body.design.members),
+    )
+
+
+def _work_clearance(body: CrankPlanetaryRequest) -> list[Step]:
+    fit, pair = body.design.pin_fit, body.design.nominal_pair
+    return clearance_steps(
+        clearance=fit.clearance,
+        pin_radius=pair.pin_radius,
+        hole_radius=pair.hole_radius,
+        eccentricity=fit.eccentricity,
+    )
+
+
+WORKED: dict[Section, Callable[[CrankPlanetaryRequest], list[Step]]] = {
+    "cyclogram": _work_cyclogram,
+    "members": lambda body: member_steps(body.results),
+    "contact_force": _work_contact_force,
+    "hertz": lambda body: judged_steps(body.results),
+    "geometry": _work_clearance,
+    "ring_mesh": lambda body: ring_steps(body.results),
+    "pin_strength": lambda body: strength_steps(
+        results=body.results, found=body.results.pin_strength, deflection=True
+    ),
+    "output_efficiency": lambda body: loss_steps(body.results),
+    "satellite_bearing": lambda body: bearing_steps(body.results),
+    "crankshaft": lambda body: shaft_steps(body.results),
+    "rollers": lambda body: roller_steps(body.results),
+}
+"""Functions that make the worked steps of sections; the other sections are solved over the turn."""

@@ -28,12 +28,11 @@ from app.model import (
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
-from app.worked import worked
+from app.worked import Steps
 from core.crank.balance import Balance, Correction
 from core.crank.crankshaft import Crankshaft, ReactionCurves
 from core.design.curves import design_reactions
 from core.worked.crank import shaft_steps
-from core.worked.step import Step
 
 
 class CrankshaftRequest(StrengthFields, WorkedFields):
@@ -53,9 +52,9 @@ class CrankshaftRequest(StrengthFields, WorkedFields):
         """Reactions and lives of the bearings, and balance if mass and speed are known."""
         return self.with_fit(self.results.crank.shaft)
 
-    def steps(self) -> list[Step]:
+    def steps(self) -> Steps:
         """Worked steps of reactions, lives and balance."""
-        return shaft_steps(self.results)
+        return {"crankshaft": shaft_steps(self.results)}
 
     def solve_for_drawing(self) -> tuple[Crankshaft, ReactionCurves]:
         """Reactions and balance, and curves over the turn."""
@@ -144,11 +143,6 @@ def figure(body: CrankshaftRequest, theme: Theme = "light") -> Figure:
     return reaction_figure(curves, theme)
 
 
-def work(body: CrankshaftRequest) -> list[Values]:
-    """Worked steps of the crankshaft."""
-    return worked(crankshaft=body.steps())
-
-
 CALCULATION = Calculation(
     name="crankshaft",
     title="Crankshaft",
@@ -156,7 +150,6 @@ CALCULATION = Calculation(
     request=CrankshaftRequest,
     answer=CrankshaftResponse,
     solve=solve,
-    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, ISO_281),
     neglects=("friction", "bearing_elasticity", "centrifugal_forces"),

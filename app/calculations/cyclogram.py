@@ -9,10 +9,9 @@ from app.model import (
 )
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
 from app.theme import IDEAL, INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
-from app.worked import worked
+from app.worked import Steps
 from core.design.sections import MechanismSection
 from core.worked.mechanism import cyclogram_steps
-from core.worked.step import Step
 
 
 class CyclogramRequest(
@@ -20,10 +19,10 @@ class CyclogramRequest(
 ):
     """Mechanism, range of its cyclogram, and optional worked steps."""
 
-    def steps(self) -> list[Step]:
+    def steps(self) -> Steps:
         """Worked steps of the cyclogram."""
         found, _ = self.solve()
-        return cyclogram_steps(found=found, **self.cyclogram_given())
+        return {"cyclogram": cyclogram_steps(found=found, **self.cyclogram_given())}
 
 
 def cyclogram_figure(answer: Values, theme: Theme, real: Values | None = None) -> Figure:
@@ -240,11 +239,6 @@ def figure(body: CyclogramRequest, theme: Theme = "light") -> Figure:
     return cyclogram_figure(solve(body), theme)
 
 
-def work(body: CyclogramRequest) -> list[Values]:
-    """Worked steps of the cyclogram."""
-    return worked(cyclogram=body.steps())
-
-
 CALCULATION = Calculation(
     name="cyclogram",
     title="Cyclogram",
@@ -252,7 +246,6 @@ CALCULATION = Calculation(
     request=CyclogramRequest,
     answer=CyclogramResponse,
     solve=solve,
-    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, YANCHEVSKY_2018),
     neglects=("clearance", "deviations", "elasticity"),

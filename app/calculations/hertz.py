@@ -39,7 +39,7 @@ from app.rules import field_error
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
 from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, text
 from app.units import from_si, to_si
-from app.worked import worked
+from app.worked import Steps
 from core.arrays import FloatArray
 from core.contact_life import LifeCurve
 from core.design.contact import Contact
@@ -60,7 +60,6 @@ from core.hertz import (
 from core.material_table import ALIASES, ELASTOMERS, MATERIALS, NAMES, SEVERAL, plain_name
 from core.materials import GROUPS, NOT_LISTED, TableMaterial, by_values
 from core.worked.hertz import hertz_steps
-from core.worked.step import Step
 
 
 def known_name(given: object) -> object:
@@ -290,9 +289,9 @@ class HertzRequest(
         """Contact under the force."""
         return hertz(**self.pressed)
 
-    def steps(self) -> list[Step]:
+    def steps(self) -> Steps:
         """Worked steps of the contact."""
-        return hertz_steps(found=self.solve(), **self.pressed)
+        return {"hertz": hertz_steps(found=self.solve(), **self.pressed)}
 
     def solve_profiles(self) -> list[tuple[str, FloatArray, FloatArray]]:
         """Pressure distributions: name, places along the arc of the pin, m, pressures, Pa."""
@@ -442,11 +441,6 @@ def figure(body: HertzRequest, theme: Theme = "light") -> Figure:
     )
 
 
-def work(body: HertzRequest) -> list[Values]:
-    """Worked steps of the contact."""
-    return worked(hertz=body.steps())
-
-
 CALCULATION = Calculation(
     name="hertz",
     title="Hertz contact of pin and hole",
@@ -454,7 +448,6 @@ CALCULATION = Calculation(
     request=HertzRequest,
     answer=HertzResponse,
     solve=solve,
-    worked=work,
     figure=figure,
     sources=(YANCHEVSKY_2018, PERSSON_1964, JOHNSON_1985),
     neglects=("edge_pressure", "friction", "misalignment"),

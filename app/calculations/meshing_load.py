@@ -19,12 +19,11 @@ from app.model import (
 from app.sources import KHATETOVSKY_2020
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si, to_si
-from app.worked import worked
+from app.worked import Steps
 from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.precession.meshing_load import MeshingLoad, line_load, meshing_load
 from core.worked.precession import load_steps
-from core.worked.step import Step
 
 
 class MeshFields(GearFields, group="load"):
@@ -69,9 +68,11 @@ class MeshFields(GearFields, group="load"):
 class MeshingLoadRequest(MeshFields, WorkedFields):
     """Mesh and its torque, with optional worked steps."""
 
-    def steps(self) -> list[Step]:
+    def steps(self) -> Steps:
         """Worked steps of the load."""
-        return load_steps(gear=self.gear(), found=self.solve_load(), **self.loaded_by)
+        return {
+            "meshing_load": load_steps(gear=self.gear(), found=self.solve_load(), **self.loaded_by)
+        }
 
 
 class MeshingLoadResponse(WorkedResponse, of=MeshingLoad):
@@ -123,11 +124,6 @@ def figure(body: MeshingLoadRequest, theme: Theme = "light") -> Figure:
     return meshing_load_figure(curves, theme)
 
 
-def work(body: MeshingLoadRequest) -> list[Values]:
-    """Worked steps of the load of the mesh."""
-    return worked(meshing_load=body.steps())
-
-
 CALCULATION = Calculation(
     name="precession/meshing-load",
     title="Load of the precessional mesh",
@@ -135,7 +131,6 @@ CALCULATION = Calculation(
     request=MeshingLoadRequest,
     answer=MeshingLoadResponse,
     solve=solve,
-    worked=work,
     figure=figure,
     sources=(KHATETOVSKY_2020,),
     neglects=("deviations", "elasticity", "friction"),

@@ -37,12 +37,11 @@ from app.theme import (
     vertical_line,
 )
 from app.units import from_si
-from app.worked import worked
+from app.worked import Steps
 from core.arrays import FloatArray
 from core.design.curves import design_losses
 from core.output.losses import LossCurves, PinLosses
 from core.worked.losses import loss_steps
-from core.worked.step import Step
 
 
 class OutputEfficiencyRequest(CurveFields, StrengthFields):
@@ -66,9 +65,9 @@ class OutputEfficiencyRequest(CurveFields, StrengthFields):
         """Losses, with the fit of pins in holes."""
         return self.with_fit(self.results.losses.pins)
 
-    def steps(self) -> list[Step]:
+    def steps(self) -> Steps:
         """Worked steps of friction and wear."""
-        return loss_steps(self.results)
+        return {"output_efficiency": loss_steps(self.results)}
 
     def solve_all(self) -> tuple[PinLosses, LossCurves | None]:
         """Losses, with curves over a turn on request."""
@@ -181,11 +180,6 @@ def figure(body: OutputEfficiencyRequest, theme: Theme = "light") -> Figure:
     return loss_figure(losses, curves, from_si("switching_deg", switching), theme)
 
 
-def work(body: OutputEfficiencyRequest) -> list[Values]:
-    """Worked steps of friction and wear."""
-    return worked(output_efficiency=body.steps())
-
-
 CALCULATION = Calculation(
     name="output-efficiency",
     title="Efficiency of the output mechanism",
@@ -193,7 +187,6 @@ CALCULATION = Calculation(
     request=OutputEfficiencyRequest,
     answer=OutputEfficiencyResponse,
     solve=solve,
-    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, WANG_2016, ARCHARD_1953),
     neglects=(

@@ -30,7 +30,7 @@ from app.rules import Rule, field_error
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text
 from app.units import from_si
-from app.worked import worked
+from app.worked import Steps
 from core.design.document import changed
 from core.design.results import Results
 from core.errors import if_known
@@ -40,7 +40,6 @@ from core.output.pin_fatigue import PinFatigue
 from core.output.pin_strength import MomentLocus, PinDeflection, PinStrength
 from core.output.tied_pin import TieRingLoad
 from core.worked.pins import strength_steps
-from core.worked.step import Step
 
 BOUNDS: tuple[Support, ...] = ("supported", "fixed")
 """Supports between which the true support of a cage lies."""
@@ -77,10 +76,14 @@ class PinStrengthRequest(StrengthFields):
         """Strength of the pin."""
         return self.with_fit(self.results.judged_pins(locus=locus or "locus" in self.include))
 
-    def steps(self) -> list[Step]:
+    def steps(self) -> Steps:
         """Worked steps of the strength."""
         deflection = "deflection" in self.include
-        return strength_steps(results=self.results, found=self.solve(), deflection=deflection)
+        return {
+            "pin_strength": strength_steps(
+                results=self.results, found=self.solve(), deflection=deflection
+            )
+        }
 
     @property
     def left_out(self) -> dict[str, None]:
@@ -211,11 +214,6 @@ def figure(body: PinStrengthRequest, theme: Theme = "light") -> Figure:
     return strength_figure(found, theme)
 
 
-def work(body: PinStrengthRequest) -> list[Values]:
-    """Worked steps of the strength of the pins."""
-    return worked(pin_strength=body.steps())
-
-
 CALCULATION = Calculation(
     name="pin-strength",
     title="Strength of the pins",
@@ -223,7 +221,6 @@ CALCULATION = Calculation(
     request=PinStrengthRequest,
     answer=PinStrengthResponse,
     solve=solve,
-    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, SHIGLEY),
     neglects=(

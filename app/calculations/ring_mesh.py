@@ -38,7 +38,7 @@ from app.settings import Settings
 from app.sources import ISO_6336, JOHNSON_1985
 from app.theme import Figure, Theme
 from app.units import to_si
-from app.worked import worked
+from app.worked import Steps
 from core.design.document import Design
 from core.design.ring import CycloidRing, InvoluteRing
 from core.design.stated import RING_MATERIAL, RING_PIN_MATERIAL
@@ -292,10 +292,10 @@ class RingMeshRequest(SolvedFields, group="positions"):
             solved.take(self.disc.accuracy)
         return solved
 
-    def solve_steps(self) -> list[Values]:
-        """Worked steps of the requested sections."""
+    def steps(self) -> Steps:
+        """Worked steps of the geometry, and of requested sections."""
         if self.ring_kind == "involute":
-            return worked(geometry=involute_steps(self.pair))
+            return {"geometry": involute_steps(self.pair)}
         asked, disc, torque = {*self.asked}, self.disc, self.design.pin_torque
         steps = {"geometry": disc_steps(disc)}
         if "ideal" in asked:
@@ -327,7 +327,7 @@ class RingMeshRequest(SolvedFields, group="positions"):
                     teeth=disc.satellite_teeth,
                     input_speed=self.design.turning_speed,
                 )
-        return worked(**steps)
+        return steps
 
     def _solve_pair(self) -> Solved:
         pair = self.pair
@@ -372,11 +372,6 @@ class RingMeshRequest(SolvedFields, group="positions"):
         return ShownMesh.at_angle(turn, self.angles[0])
 
 
-def work(body: RingMeshRequest) -> list[Values]:
-    """Worked steps of the geometry, and of requested sections."""
-    return body.solve_steps()
-
-
 def solve(body: RingMeshRequest) -> Values:
     """Geometry, forces, lag, play and stiffness of cycloid discs on the pins of their ring, with
     modification, deviations and elasticity, at crank angles and over the turn; or the path of
@@ -409,7 +404,6 @@ CALCULATION = Calculation(
     request=RingMeshRequest,
     answer=RingMeshResponse,
     solve=solve,
-    worked=work,
     figure=figure,
     sources=(JOHNSON_1985, ISO_6336),
     neglects=(

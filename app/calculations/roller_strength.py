@@ -43,7 +43,7 @@ from app.theme import (
     vertical_line,
 )
 from app.units import from_si, to_si
-from app.worked import worked
+from app.worked import Steps
 from core.checks.check import Verdict
 from core.checks.plain import RollerDesign, roller_checks
 from core.errors import Notice, NotKnown
@@ -58,7 +58,6 @@ from core.rollers.roller_strength import (
     roller_strength,
 )
 from core.worked.rollers import roller_steps
-from core.worked.step import Step
 
 MAX_ROLLERS = 1000
 """Largest number of rollers of a mechanism."""
@@ -205,7 +204,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
             return Notice(why.code)
         return roller_fatigue(bending_stress=stress, strength=strength, rotates=self.roller_rotates)
 
-    def steps(self) -> list[Step]:
+    def steps(self) -> Steps:
         """Worked steps of the rollers."""
         found = self.solve()
         cycle = self.tired(found, self.design["diameter"])
@@ -217,12 +216,14 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
                 "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
                 "rotates": self.roller_rotates,
             }
-        return roller_steps(
-            found=found,
-            design=self.design,
-            cycle=cycle if isinstance(cycle, CycleFatigue) else None,
-            judged=judged,
-        )
+        return {
+            "roller_strength": roller_steps(
+                found=found,
+                design=self.design,
+                cycle=cycle if isinstance(cycle, CycleFatigue) else None,
+                judged=judged,
+            )
+        }
 
     def judge(self, result: RollerStrength, tired: CycleFatigue | Notice | None) -> dict[str, Any]:
         """Verdict of a result and its fatigue, with checks and fixes on request."""
@@ -433,11 +434,6 @@ def figure(body: RollerStrengthRequest, theme: Theme = "light") -> Figure:
     return roller_figure(curves, body.design["diameter"], body.design["youngs_modulus"], theme)
 
 
-def work(body: RollerStrengthRequest) -> list[Values]:
-    """Worked steps of the rollers."""
-    return worked(roller_strength=body.steps())
-
-
 CALCULATION = Calculation(
     name="roller-strength",
     title="Strength of swinging rollers",
@@ -445,7 +441,6 @@ CALCULATION = Calculation(
     request=RollerStrengthRequest,
     answer=RollerStrengthResponse,
     solve=solve,
-    worked=work,
     figure=figure,
     sources=(OVSYANNIKOV_2019, SHIGLEY),
     neglects=("contact_compliance", "roller_tilt", "equal_discs"),

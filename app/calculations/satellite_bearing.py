@@ -26,13 +26,12 @@ from app.model import (
 from app.sources import ISO_281, YANCHEVSKIY_2021
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import core_name, from_si
-from app.worked import worked
+from app.worked import Steps
 from core.arrays import FloatArray
 from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
 from core.design.curves import design_bearings
 from core.errors import NotKnown
 from core.worked.crank import bearing_steps
-from core.worked.step import Step
 
 
 class SatelliteBearingRequest(StrengthFields, WorkedFields):
@@ -48,9 +47,9 @@ class SatelliteBearingRequest(StrengthFields, WorkedFields):
         """Loads and lives."""
         return self.with_fit(self.results.crank.bearings)
 
-    def steps(self) -> list[Step]:
+    def steps(self) -> Steps:
         """Worked steps of the bearing with the largest load."""
-        return bearing_steps(self.results)
+        return {"satellite_bearing": bearing_steps(self.results)}
 
     def solve_for_drawing(self) -> tuple[SatelliteBearings, BearingCurves, FloatArray]:
         """Loads and lives, curves over the turn, and the switching angles, rad."""
@@ -160,11 +159,6 @@ def figure(body: SatelliteBearingRequest, theme: Theme = "light") -> Figure:
     return load_figure(found, curves, from_si("switching_deg", switching), theme)
 
 
-def work(body: SatelliteBearingRequest) -> list[Values]:
-    """Worked steps of the bearing with the largest load."""
-    return worked(satellite_bearing=body.steps())
-
-
 CALCULATION = Calculation(
     name="satellite-bearing",
     title="Bearings of the satellites",
@@ -172,7 +166,6 @@ CALCULATION = Calculation(
     request=SatelliteBearingRequest,
     answer=SatelliteBearingResponse,
     solve=solve,
-    worked=work,
     figure=figure,
     sources=(YANCHEVSKIY_2021, ISO_281),
     neglects=("friction", "bearing_elasticity", "centrifugal_forces"),

@@ -31,7 +31,7 @@ from app.rules import Forms
 from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
 from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
 from app.units import core_name, from_si, to_si
-from app.worked import worked
+from app.worked import Steps
 from core.checks.check import Verdict
 from core.checks.plain import LINE_MATERIALS, ShaftDesign, shaft_checks
 from core.design.document import not_given
@@ -47,7 +47,6 @@ from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram
 from core.precession.shaft_deflection import Deflection, ShaftDeflection, shaft_deflection
 from core.precession.shaft_strength import ShaftStrength, shaft_strength
 from core.worked.precession import shaft_steps
-from core.worked.step import Step
 
 Plane = tuple[float, float]
 
@@ -216,21 +215,23 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             load_error=float(load.accuracy.relative_error),
         )
 
-    def steps(self) -> list[Step]:
+    def steps(self) -> Steps:
         """Worked steps of the shaft."""
         load, found = self.solve_all()
-        return shaft_steps(
-            load=load,
-            found=found,
-            shaft=self.shaft,
-            strength=self.strength(found),
-            judged={
-                "basis": self.fatigue and self.fatigue.section(),
-                "tensile_strength": to_si("tensile_strength_MPa", self.tensile_strength_MPa),
-                "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
-            },
-            contact=self._touching(load),
-        )
+        return {
+            "shaft_deflection": shaft_steps(
+                load=load,
+                found=found,
+                shaft=self.shaft,
+                strength=self.strength(found),
+                judged={
+                    "basis": self.fatigue and self.fatigue.section(),
+                    "tensile_strength": to_si("tensile_strength_MPa", self.tensile_strength_MPa),
+                    "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
+                },
+                contact=self._touching(load),
+            )
+        }
 
     def _touching(self, load: MeshingLoad) -> tuple[LineContact, dict[str, Any]] | None:
         """Pressure along the contact lines, with its inputs."""
@@ -428,11 +429,6 @@ def figure(body: ShaftDeflectionRequest, theme: Theme = "light") -> Figure:
     return shaft_figure(diagram, body.bearing_distance_mm, theme)
 
 
-def work(body: ShaftDeflectionRequest) -> list[Values]:
-    """Worked steps of reactions, deflections, strength and contact."""
-    return worked(shaft_deflection=body.steps())
-
-
 CALCULATION = Calculation(
     name="precession/shaft-deflection",
     title="Shaft of the precessional gear",
@@ -440,7 +436,6 @@ CALCULATION = Calculation(
     request=ShaftDeflectionRequest,
     answer=ShaftDeflectionResponse,
     solve=solve,
-    worked=work,
     figure=figure,
     sources=(KHATETOVSKY_2020, JOHNSON_1985, SHIGLEY),
     neglects=("shear", "bearing_elasticity", "friction"),
