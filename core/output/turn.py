@@ -108,7 +108,10 @@ class Turn:
         teeth = room.contacts(engine.LOBE)
         if teeth.stop == 0:
             return {}
-        way = math.copysign(1.0, self.torque)
+        way, discs = math.copysign(1.0, self.torque), self.real.mechanism.satellites
+        # Discs of the ring alone have the output's lag, or each its own; in series they come next.
+        first = 1 if self.real.kind == engine.PIN else 0
+        own = room.lags[:, first : first + discs]
         return {
             "mesh_force": room.rows[:, engine.LOBE_FORCE],
             "mesh_pressure": room.rows[:, engine.LOBE_PRESSED],
@@ -116,7 +119,7 @@ class Turn:
             "along": room.by_ring[:, :, 0],
             "across": room.by_ring[:, :, 1],
             "teeth": room.forces[:, teeth],
-            "own": way * room.lags[:, 1 : 1 + self.real.mechanism.satellites],
+            "own": way * np.broadcast_to(own, (len(own), discs)),
         }
 
     def at_waves(self, places: FloatArray) -> Rows:

@@ -336,12 +336,18 @@ def mesh_gaps(
     {2e-05}
     """
     check_single(crank_angle=crank_angle)
+    lags = np.array([rotation or (0.0,) * len(mesh.crank_angles)], float)
+    return mesh.rows(gaps_at(mesh=mesh, crank_angle=np.array([crank_angle]), lags=lags)[0].tolist())
+
+
+def gaps_at(*, mesh: CycloidMesh, crank_angle: FloatArray, lags: FloatArray) -> FloatArray:
+    """Gaps as `mesh_gaps` at M crank angles, rad, with lags of shape (M, K); shape (M, K*z_p)."""
     count = len(mesh.crank_angles)
     room = Solved.of(replace(mesh, support=Shares((1 / count,) * count)).drive)
-    found = np.zeros(len(room.work.w))
-    lags = np.array(rotation or (0.0,) * count, float)
-    engine.gaps(mesh.wave(crank_angle), lags, room.drive, room.work, found)
-    return mesh.rows((-found[room.contacts(engine.LOBE)]).tolist())
+    found = np.zeros((len(crank_angle), len(room.work.w)))
+    for angle, own, row in zip(crank_angle.tolist(), lags, found, strict=True):
+        engine.gaps(mesh.wave(angle), np.ascontiguousarray(own), room.drive, room.work, row)
+    return -found[:, room.contacts(engine.LOBE)]
 
 
 class MeshTurn(OverTurn):
