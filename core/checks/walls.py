@@ -188,13 +188,16 @@ def _within_roots(kind: Kind, design: Design, *, solid: bool) -> Check:
     size = design.nominal_pair.hole_radius
     reach = design.pin_circle_radius + size
     known = design.satellite_body and design.satellite_body.root_radius
-    source = "roots" if design.gear and not known else ""
+    gear, guide = design.gear, design.wall_guide
+    source = "roots" if gear and not known else ""
+    if gear and gear.kind == "involute":
+        guide = RIM * gear.module
 
     def wide(radius: float) -> Check:
         if not solid:
             return kind.gap(radius - reach, size=size)._replace(limit_source=source)
         asked = design.requirements.min_wall
-        found = kind.wall(radius - reach, size=size, least=asked, guide=_rim_guide(design))
+        found = kind.wall(radius - reach, size=size, least=asked, guide=guide)
         return found if found.limit_source else found._replace(limit_source=source)
 
     shallow, deep = map(wide, reversed(design.roots))
@@ -207,14 +210,6 @@ def _within_roots(kind: Kind, design: Design, *, solid: bool) -> Check:
         _ = design.known_eccentricity
     name = "gear.ring_pin_radius" if cycloid else "satellite_body.root_radius"
     return Check(kind, "not_checked", limit=deep.limit, reason="roots_unknown", missing=(name,))
-
-
-def _rim_guide(design: Design) -> float | None:
-    """Least usual wall to the rim, m; for involute teeth 1.2 tooth heights."""
-    gear = design.gear
-    if gear and gear.kind == "involute":
-        return RIM * gear.module
-    return design.wall_guide
 
 
 @_body(

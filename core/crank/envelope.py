@@ -72,7 +72,10 @@ def largest_ratings(
     if kind == "roller":
         gamma = gap / middle
         count = math.pi / math.asin(gamma)
-        dynamic = 1.15 * _roller_factor(gamma) * wide ** (7 / 9) * count**0.75 * gap ** (29 / 27)
+        other = math.pow(1.04 * ((1 - gamma) / (1 + gamma)) ** (143 / 108), 4.5)
+        shape = math.pow(gamma, 2 / 9) * math.pow(1 - gamma, 29 / 27) / math.pow(1 + gamma, 0.25)
+        factor = 207.9 * 0.83 * shape * math.pow(1 + other, -2 / 9)
+        dynamic = 1.15 * factor * wide ** (7 / 9) * count**0.75 * gap ** (29 / 27)
         return Bounds(dynamic, 44 * (1 - gamma) * count * wide * gap)
     # More rows of balls that fill the gap carry more; with still more rows the balls shrink faster.
     most = {max(1, math.floor(wide / gap)), math.ceil(wide / gap)}
@@ -94,13 +97,6 @@ def largest_ratings_of_room(
         for step in range(BORES)
     ]
     return Bounds(max(each.dynamic for each in bounds), max(each.static for each in bounds))
-
-
-def _roller_factor(gamma: float) -> float:
-    """Factor f_c of roller bearings."""
-    other = math.pow(1.04 * ((1 - gamma) / (1 + gamma)) ** (143 / 108), 4.5)
-    shape = math.pow(gamma, 2 / 9) * math.pow(1 - gamma, 29 / 27) / math.pow(1 + gamma, 0.25)
-    return 207.9 * 0.83 * shape * math.pow(1 + other, -2 / 9)
 
 
 def _balls(rows: int, gap: float, middle: float, wide: float) -> float:

@@ -239,7 +239,8 @@ def satellite_bearings(
             satellites=mechanism.satellites, distribution_factor=distribution_factor
         ).min()
         if rest < distribution_factor:
-            others = _idle_loads(loads, centrifugal)
+            own = np.asarray(centrifugal)[..., None] + 0.0 * loads.mean
+            others = replace(loads, most=own, least=own, mean=own, ring=0.0 * own)
             if rest:
                 part = rest / distribution_factor * across
                 others = ideal(across=part, centrifugal=centrifugal)
@@ -268,6 +269,8 @@ def satellite_bearings(
             return np.asarray(np.maximum.reduce(most))
 
     reliability_factor(percent=reliability_percent)  # refuses what is not in the table
+    carried = (loads.most > 0).reshape(-1, mechanism.satellites).all(axis=0)
+    idle = (np.flatnonzero(~carried) + 1).tolist()
     found = SatelliteBearings(
         given_speed=relative_speed,
         mesh=mesh,
@@ -284,7 +287,7 @@ def satellite_bearings(
         reliability_percent=reliability_percent,
         weibull_slope=weibull_slope,
         load_accuracy=loads.accuracy,
-        notices=(*mesh.notices, *_idle(loads)),
+        notices=(*mesh.notices, *(Notice("satellite_idle", {"satellite": j}) for j in idle)),
     )
     for name in ("life", "system_life", "static_safety_factor"):
         with suppress(NotKnown):
@@ -337,18 +340,6 @@ class _Loads:
     ring: FloatArray
     ratio: Number
     accuracy: Accuracy
-
-
-def _idle(loads: _Loads) -> list[Notice]:
-    """Notices of satellites that carry nothing."""
-    idle = np.flatnonzero((loads.most == 0).reshape(-1, loads.most.shape[-1]).any(axis=0))
-    return [Notice("satellite_idle", {"satellite": j + 1}) for j in idle.tolist()]
-
-
-def _idle_loads(loads: _Loads, centrifugal: Number) -> _Loads:
-    """Loads of bearings under the centrifugal force of their satellites alone."""
-    own = np.broadcast_to(np.asarray(centrifugal)[..., None], loads.mean.shape).astype(float)
-    return replace(loads, most=own, least=own, mean=own, ring=0.0 * own)
 
 
 def _ideal_loads(

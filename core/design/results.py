@@ -330,12 +330,8 @@ class Results:
     @cached_property
     def over_turn(self) -> Callable[[float], OverTurn]:
         """Extremes over the turn, as a function of the torque, N*m, negative in reverse."""
-        return cache(lambda torque: self._over(self.turn(torque)))
-
-    def _over(self, turn: Turn) -> OverTurn:
-        if isinstance(turn, SeriesTurn):
-            return SeriesOverTurn(turn)
-        return OverTurn(turn)
+        kind = SeriesOverTurn if self.in_series else OverTurn
+        return cache(lambda torque: kind(self.turn(torque)))  # type: ignore[arg-type]
 
     def forces_at(self, crank_angle: float) -> tuple[tuple[float, ...], ...]:
         """Forces on the pins, N, K x N, at a crank angle, rad, in the worse direction."""

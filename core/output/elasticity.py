@@ -218,15 +218,12 @@ class PinSupport(Pins):
             self, satellite_positions=self.satellite_positions[satellite : satellite + 1]
         )
 
-    def _check_count(self, satellites: int) -> None:
+    def bending(self, satellites: int) -> list[float]:
+        """Compliance of a pin at each satellite, m/N; see `pin_compliance`."""
         places = self.satellite_positions
         if len(places) != satellites:
             counts = {"expected": satellites, "actual": len(places)}
             raise InvalidInput("satellite_positions", places, "different_length", **counts)
-
-    def bending(self, satellites: int) -> list[float]:
-        """Compliance of a pin at each satellite, m/N; see `pin_compliance`."""
-        self._check_count(satellites)
         return [*pin_compliance(self)]
 
     def wall_compliance(self, contact_length: float) -> float:

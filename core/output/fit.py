@@ -57,11 +57,12 @@ class Fit:
                 known.append(material.elastic_pressure)
         if not known:
             return ()
-        found: dict[tuple[float, float], float] = {}
+        found, limit = dict[tuple[float, float], float](), min(known)
         sizes = [*zip(real.pin_radii.tolist(), real.differences.tolist(), strict=True)]
         for pair, size in enumerate(sizes):
             if size not in found:
-                found[size] = _force_under(real, pair, min(known))
+                under = partial(real.contact, pair)
+                found[size] = force_factor(contact=under(1.0), contact_at=under, limit=limit)
         return tuple(found[size] for size in sizes)
 
     @cached_property
@@ -166,12 +167,6 @@ class Fit:
             missing_length=-room.least,
             needed_length=self.rooms.needed_hole_radius,
         )
-
-
-def _force_under(real: RealMechanism, pair: int, pressure: float) -> float:
-    """Force of a pair under which its governing pressure, Pa, is the given one, N."""
-    under = partial(real.contact, pair)
-    return force_factor(contact=under(1.0), contact_at=under, limit=pressure)
 
 
 def solvable(*, real: RealMechanism, rooms: Rooms | None = None) -> Fit:

@@ -90,16 +90,14 @@ def loaded_position(
     pressed, lag = bool(room.jammed[0]), float(room.lag[0])
     contact = real.hardest(force.tolist())
     play = sorted((direction * room.play[0] + 0.0).tolist())
-    torques = _torques(real, room)
-    own_lags = None
-    if real.support.turning:
-        own_lags = tuple(_behind(real, room).tolist())
+    levers = room.work.grad[:, 0] * force
+    own_lags = tuple(_behind(real, room).tolist()) if real.support.turning else None
     accuracy = Accuracy("newton_bracket", float(room.error[0] / force.max()), room.steps)
     return LoadedPosition(
         crank_angle=crank_angle,
         rotation=direction * lag,
         force=real.rows(force.tolist()),
-        satellite_torque=tuple(torques.tolist()),
+        satellite_torque=tuple(levers.reshape(real.mechanism.satellites, -1).sum(axis=1).tolist()),
         satellite_rotation=own_lags,
         loaded_pairs=int((force > 0).sum()),
         play=None if pressed else (play[0], play[1]),
@@ -123,13 +121,6 @@ def _behind(real: RealMechanism, room: Solved) -> FloatArray:
     elif real.support.mesh:
         behind = lags[0] - lags[1 : count + 1]
     return behind
-
-
-def _torques(real: RealMechanism, room: Solved) -> FloatArray:
-    """Share of each satellite in the torque by its forces and their levers, N*m, shape (K,)."""
-    levers = room.work.grad[:, 0] * room.forces[0]
-    found: FloatArray = levers.reshape(real.mechanism.satellites, -1).sum(axis=1)
-    return found
 
 
 def least_interference(*, real: RealMechanism, psi: float) -> float:

@@ -138,13 +138,12 @@ class WavePhases:
         # grid makes coincident starts and ends coincide exactly.
         cells = pins if pins % 2 == 0 else 2 * pins
         start = math.fmod(mechanism.initial_crank_angle, 2 * math.pi) / (2 * math.pi)
-        furthest = 0.0
+        furthest = abs(mechanism.initial_crank_angle) + max(map(abs, mechanism.crank_angles))
         places = []
         for j, angle in enumerate(mechanism.crank_angles):
             scaled = (math.fmod(angle, 2 * math.pi) / (2 * math.pi) + start) * cells
             whole = math.floor(scaled)
             places.append((scaled - whole, j, whole))
-            furthest = max(furthest, abs(angle))
         places.sort()
         tolerance = SAME * cells
         per_sector = cells // pins
@@ -173,9 +172,8 @@ class WavePhases:
             sector_phases=sector_phases,
             multiplicity=multiplicity,
             symmetry=symmetry,
-            error=snapped / cells
-            + off
-            + far_angle_error(furthest + abs(mechanism.initial_crank_angle)),
+            # The last digit of an angle beyond a turn is coarser, in degrees and again here.
+            error=snapped / cells + off + 2 * ROUNDING * max(furthest / (2 * math.pi) - 1, 0.0),
         )
 
     def switching(self) -> list[tuple[float, int]]:
@@ -237,14 +235,6 @@ def _symmetry(
         if off <= SAME:
             return repeats, off * repeats
     return 1, 0.0
-
-
-def far_angle_error(angle: float) -> float:
-    """Error of the phase of an angle, rad, in turns; 0 up to one turn.
-
-    The last digit of a larger angle is coarser, in the conversion from degrees and again here.
-    """
-    return 2 * ROUNDING * max(angle / (2 * math.pi) - 1, 0.0)
 
 
 def pressure_cosines(*, mechanism: Mechanism, crank_angles: FloatArray) -> FloatArray:

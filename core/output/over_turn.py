@@ -351,13 +351,17 @@ class OverTurn:
     @property
     def notices(self) -> tuple[Notice, ...]:
         """Notices on the mechanism, the contact and the accuracy."""
-        position = notices(
+        own = self._of_output(pressed=self.pressed_without_load)
+        return (*own, *poorly_known(self.accuracy))
+
+    def _of_output(self, *, pressed: bool) -> tuple[Notice, ...]:
+        """Notices on the output mechanism and its hardest contact."""
+        return notices(
             real=self.real,
             lag=float(np.abs(self.turn.fine["lag"]).max()),
-            pressed=self.pressed_without_load,
+            pressed=pressed,
             contact=self.real.contact(*self.hardest) if self._wraps else self._contact,
         )
-        return (*position, *poorly_known(self.accuracy))
 
 
 def over_turn(

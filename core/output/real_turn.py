@@ -79,13 +79,8 @@ def over_periods(*, turn: Turn, force: FloatArray) -> FloatArray:
     return np.concatenate(moved).reshape(-1, force.shape[1])
 
 
-def _nothing(rows: Rows) -> FloatArray:
-    """Zeros, for forces alone."""
-    return np.zeros(len(rows["wave"]))
-
-
 def refined(
-    *, turn: Turn, near: float = JUDGED, besides: Callable[[Rows], FloatArray] = _nothing
+    *, turn: Turn, near: float = JUDGED, besides: Callable[[Rows], FloatArray] | None = None
 ) -> Rows:
     """Positions of a period, as close as the forces need. Forces lie nearer than `near`, over the
     largest force, to the straight lines between samples, and so do further quantities (`besides`:
@@ -95,7 +90,9 @@ def refined(
     for _ in range(HALVINGS):
         wave = rows["wave"]
         felt = np.maximum(near * rows["forces"].max(), FELT * rows["error"])
-        rough = (off(turn=turn, rows=rows) > felt) | (besides(rows) > near)
+        rough = off(turn=turn, rows=rows) > felt
+        if besides:
+            rough |= besides(rows) > near
         gaps = np.diff(wave, append=wave[0] + turn.period)
         between = (wave + gaps / 2)[rough | np.roll(rough, -1)]
         if not len(between):
@@ -132,7 +129,8 @@ def directed(*, turn: Turn, rows: Rows, samples: CloseSamples) -> SampledTurn:
     size = force.reshape(satellites, pins, -1)
     if real.exact:
         own, off = (np.tile(rows[name], (turn.repeats, 1)).T for name in ("behind", "off"))
-        centre = (_eccentricities(real) + off[:, None]) * crank
+        eccentricities = (real.eccentricity + np.array(errors.eccentricity))[:, None, None]
+        centre = (eccentricities + off[:, None]) * crank
         hole, pin = _centres(real, centre, radial, lag, own)
         arm = hole - pin
         acts: ComplexArray = size * (arm / np.abs(arm))
@@ -152,12 +150,6 @@ def directed(*, turn: Turn, rows: Rows, samples: CloseSamples) -> SampledTurn:
         evaluations=evaluations,
         unlike=1 if real.deviations == Deviations() else pins,
     )
-
-
-def _eccentricities(real: RealMechanism) -> FloatArray:
-    """Eccentricities of the cranks with their deviations, m, shape (K, 1, 1)."""
-    errors = real.deviations.rows(real.mechanism.pins, real.mechanism.satellites)
-    return (real.eccentricity + np.array(errors.eccentricity))[:, None, None]
 
 
 def _centres(

@@ -209,17 +209,14 @@ class Stage:
 
     def refuse(self, *, angle: float, status: int, room: Solved) -> None:
         """Raise ImpossibleMechanism for an angle of the engine, rad, by its status."""
-        params = self._beyond_law(room) if status == engine.TOO_WIDE else {}
+        params, w, gi = dict[str, Any](), room.work.w, room.drive.gi
+        if status == engine.TOO_WIDE:  # the first pair whose force is beyond the contact law
+            index = int(np.flatnonzero(w[:, engine.FORCE] > w[:, engine.MOST])[0])
+            g = int(((gi[:, engine.START] <= index) & (index < gi[:, engine.STOP])).argmax())
+            disc = int((gi[:g, engine.KIND] == gi[g, engine.KIND]).sum())
+            params = {"satellite": disc + 1, "pin": index - int(gi[g, engine.START]) + 1}
         place = {"crank_angle": self.crank_angle(float(angle))}
         raise ImpossibleMechanism(REFUSALS[status], place, **params)
-
-    def _beyond_law(self, room: Solved) -> dict[str, Any]:
-        """Numbers of the satellite and the pin whose force is beyond the contact law."""
-        w, gi = room.work.w, room.drive.gi
-        index = int(np.flatnonzero(w[:, engine.FORCE] > w[:, engine.MOST])[0])
-        g = int(((gi[:, engine.START] <= index) & (index < gi[:, engine.STOP])).argmax())
-        disc = int((gi[:g, engine.KIND] == gi[g, engine.KIND]).sum())
-        return {"satellite": disc + 1, "pin": index - int(gi[g, engine.START]) + 1}
 
     def unloaded(self, places: FloatArray, way: float = 1.0, *, least: bool = False) -> FloatArray:
         """Play at angles of the engine as its read-outs, shape (m, 21).

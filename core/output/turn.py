@@ -70,9 +70,7 @@ class Turn:
 
     def of_pairs(self, largest: FloatArray) -> FloatArray:
         """Largest values of all pairs over the turn, from those over a period."""
-        if self.repeats == 1:
-            return largest
-        own = largest.reshape(-1, self.repeats)
+        own = largest.reshape(self.real.mechanism.satellites, self.repeats, -1)
         return np.broadcast_to(own.max(axis=1, keepdims=True), own.shape).ravel()
 
     def between(self, places: Sequence[float]) -> Rows:

@@ -1,8 +1,5 @@
 """Teeth of the ring mesh as they work in series with the output pins."""
 
-import numpy as np
-
-from core.arrays import FloatArray, IntArray
 from core.errors import Accuracy, derived
 from core.output.contact_force import PairNumber
 from core.output.real_turn import CloseSamples
@@ -30,23 +27,11 @@ class TeethInSeries(MeshTurn):
         return self.series.series.ring
 
     @property
-    def samples(self) -> tuple[FloatArray, FloatArray]:
-        """Crank angles of the solved positions, rad, and the forces of all pairs there, N."""
-        rows = self.series.turn.fine
-        return rows["wave"], rows["teeth"]
-
-    @property
     def close(self) -> CloseSamples:
         """Forces of all pairs, sampled until pins that are alike have had each other's forces."""
         turn = self.series.turn
         assert isinstance(turn, SeriesTurn)
         return teeth_samples(turn)
-
-    @property
-    def even(self) -> IntArray:
-        """Indices of the evenly spaced positions in `samples`."""
-        places, _ = self.series.turn.positions()
-        return np.searchsorted(self.series.turn.fine["wave"], places)
 
     @property
     def peak_force(self) -> float:
@@ -82,16 +67,6 @@ class TeethInSeries(MeshTurn):
     def _period(self) -> float:
         """Crank angle after which both meshes repeat, rad."""
         return self.series.turn.period
-
-    @property
-    def pressed_without_load(self) -> bool:
-        """True if pairs of either mesh press without load anywhere."""
-        return self.series.pressed_without_load
-
-    def forces_at(self, crank_angle: float) -> FloatArray:
-        """Forces of all pairs at a crank angle (rad) of the period, N, shape (K, z_p)."""
-        forces: FloatArray = self.series.turn.poses([crank_angle])["teeth"]
-        return forces.reshape(-1, self.mesh.disc.pins)
 
     @derived
     def lags(self) -> tuple[float, float]:

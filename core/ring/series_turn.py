@@ -17,7 +17,6 @@ from core.errors import Notice, derived, poorly_known
 from core.fields import answer
 from core.numerics.extremes import first_largest
 from core.output.contact_force import PairNumber
-from core.output.loaded_position import notices
 from core.output.over_turn import OverTurn, Peak
 from core.output.real_turn import refined
 from core.output.sampled_turn import off_straight
@@ -78,11 +77,6 @@ class SeriesTurn(Turn):
         """Positions at wave angles of the output in rad."""
         own = self.real.mechanism
         return self.poses(((places - own.initial_crank_angle) / own.waves_per_turn).tolist())
-
-    def of_pairs(self, largest: FloatArray) -> FloatArray:
-        """Largest values of all pairs from those over one period."""
-        own = largest.reshape(self.real.mechanism.satellites, self.repeats, -1)
-        return np.broadcast_to(own.max(axis=1, keepdims=True), own.shape).ravel()
 
     def positions(self) -> tuple[list[float], list[float]]:
         """Crank angles of an even grid, rad, and no further ones near changes of contact."""
@@ -188,20 +182,10 @@ class SeriesOverTurn(OverTurn):
             peak_force=top.height,
             peak_crank_angle=place,
             peak_pair=PairNumber(satellite + 1, pin + 1),
-            max_pressure=self.ring_pressure,
+            max_pressure=series.ring.pressure(self.ring_pressed[0].height),
             loaded_pairs_min=int(loaded.min()),
             loaded_pairs_max=int(loaded.max()),
         )
-
-    @property
-    def ring_pressure(self) -> float:
-        """Largest Hertz pressure on the ring pins, Pa."""
-        return self.series.ring.pressure(self.ring_pressed[0].height)
-
-    @property
-    def pressed_without_load(self) -> bool:
-        """True if pairs of either stage press without load anywhere."""
-        return bool(self.turn.fine["pressed"].any())
 
     @derived
     def _pressed(self) -> Summit:
@@ -210,14 +194,8 @@ class SeriesOverTurn(OverTurn):
     @property
     def notices(self) -> tuple[Notice, ...]:
         """Notices on limits that both meshes strain and on poor accuracy."""
-        of_output = notices(
-            real=self.real,
-            lag=float(np.abs(self.turn.fine["lag"]).max()),
-            pressed=False,
-            contact=self.real.contact(*self.hardest) if self._wraps else self._contact,
-        )
         of_ring = self.series.notices(pressed=self.pressed_without_load)
-        return (*of_output, *of_ring, *poorly_known(self.accuracy))
+        return (*self._of_output(pressed=False), *of_ring, *poorly_known(self.accuracy))
 
 
 def series_over_turn(

@@ -381,8 +381,8 @@ class MeshTurn(OverTurn):
         return 2 * math.pi
 
     def forces_at(self, crank_angle: float) -> FloatArray:
-        """Forces of all pairs at a crank angle (rad), N, shape (K, z_p)."""
-        forces: FloatArray = self.turn.poses([crank_angle])["forces"]
+        """Forces of all pairs at a crank angle (rad) of the period, N, shape (K, z_p)."""
+        forces: FloatArray = self.turn.poses([crank_angle])["teeth"]
         return forces.reshape(-1, self.mesh.disc.pins)
 
     @property
@@ -460,7 +460,7 @@ class MeshTurn(OverTurn):
     @property
     def samples(self) -> tuple[FloatArray, FloatArray]:
         """Crank angles of the solved positions, rad, and the forces of all pairs there, N."""
-        return self.turn.fine["wave"], self.turn.fine["forces"]
+        return self.turn.fine["wave"], self.turn.fine["teeth"]
 
     @property
     def close(self) -> CloseSamples:

@@ -76,16 +76,11 @@ def _ring(sheet: Sheet, results: Results, found: SatelliteBearings) -> None:
         sheet.state("radial_force_ratio", "rho", "given", value=ratio)
 
 
-def worst_bearing(found: SatelliteBearings) -> int:
-    """Satellite, from 0, whose bearing has the largest equivalent load."""
-    loads = np.asarray(found.equivalent_load)
-    return int((loads >= loads.max() * (1 - AS_TYPED)).argmax())
-
-
 def bearing_steps(results: Results) -> list[Step]:
     """Steps of the bearing that is loaded most."""
     design, found = results.design, results.crank.bearings
-    bearing, j = design.bearing, worst_bearing(found)
+    bearing, loads = design.bearing, np.asarray(found.equivalent_load)
+    j = int((loads >= loads.max() * (1 - AS_TYPED)).argmax())
     sheet, where = _sheet(results, found, j), {"params": {"satellite": j + 1}}
     take_speed(sheet, results=results)
     sheet.work("relative_speed", "n", "n_1*(1+1/u)", found.given_speed)
