@@ -116,10 +116,11 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
     pair_count = mechanism.pins * mechanism.satellites
     if shown.waves * pair_count > MAX_DRIVING_PHASES:
         raise InvalidInput("revolutions", revolutions, "too_many_phases", limit=MAX_DRIVING_PHASES)
-    sector_counts = _sector_counts(phases)
-    numbers = [pairs for _, pairs in sector_counts]
-    counts, dropped = _counts(sector_counts, 1 / mechanism.pins, shown)
+    numbers = _numbers(phases)
     pairs, cut_off = _pairs(phases, shown)
+    counts = numbers_of_pairs(pairs, end=shown.end, error=shown.sliver * per_wave / 2)
+    driven = math.fsum(stop - start for pair in pairs for start, stop in pair.driving)
+    merged = abs(driven - math.fsum((each.end - each.start) * each.pairs for each in counts))
     dead_centres, dead_zones = _dead(phases.dead_zones(), shown)
     return Cyclogram(
         working_phase=per_wave / 2,
@@ -136,7 +137,8 @@ def cyclogram(*, mechanism: Mechanism, revolutions: float = 1.0) -> Cyclogram:
             method="closed_form",
             # The total driving angle of a pair has the errors of all its ends.
             relative_error=ROUNDING * (4 * max(1.0, 1 / shown.waves) + shown.waves)
-            + (phases.error + max(dropped, cut_off)) / shown.waves,
+            + (phases.error + cut_off) / shown.waves
+            + merged / (pair_count * shown.end),
             evaluations=pair_count,
         ),
     )
@@ -197,43 +199,46 @@ def _dead(
     return tuple(centres), tuple([(start, stop) for start, stop in cut if stop > start])
 
 
-def _sector_counts(phases: WavePhases) -> list[tuple[float, int]]:
-    """Ends of ranges of one number of driving pairs over one sector, in turns, and the numbers."""
+def _numbers(phases: WavePhases) -> list[int]:
+    """Numbers of pairs that drive together, one after another, over one sector."""
     pins, mean = phases.pins, phases.pins * len(phases.satellite_phase) / 2
     changes = [(position, growth) for position, growth in phases.switching() if growth]
     if not changes:
-        return [(1 / pins, int(mean))]
+        return [int(mean)]
     starts, growths = zip(*changes, strict=True)
-    stops = (*starts[1:], starts[0] + 1 / pins)
     # The number before the first change is the one with which the mean is half of all pairs.
     first = round(mean + pins * sum(map(operator.mul, growths, starts)))
-    numbers = itertools.accumulate(growths, initial=first)
-    return list(zip(stops, itertools.islice(numbers, 1, None), strict=True))
+    return [*itertools.accumulate(growths, initial=first)]
 
 
-def _counts(
-    sector_counts: Sequence[tuple[float, int]], sector: float, shown: _Range
-) -> tuple[tuple[CountInterval, ...], float]:
-    """Driving counts over the range, and the largest width left out as rounding, in turns."""
-    if len(sector_counts) == 1:
-        return (CountInterval(0.0, shown.end, sector_counts[0][1]),), 0.0
-    waves, sliver = shown.waves, shown.sliver
-    joined: list[CountInterval] = []
-    begun, reached, count, dropped = 0.0, 0.0, -1, 0.0  # state of the interval that grows
-    for turn in range(-1, math.ceil(waves / sector) + 1):
-        for stop, pairs in sector_counts:
-            last = stop + turn * sector
-            width = (last if last < waves else waves) - reached
-            if width <= sliver:
-                dropped = max(dropped, width)
-                continue
-            if pairs != count:
-                if count >= 0:
-                    joined.append(CountInterval(begun, shown.crank_angle(reached), count))
-                    begun = joined[-1].end
-                count = pairs
-            reached = last
-    return (*joined, CountInterval(begun, shown.end, count)), dropped
+def numbers_of_pairs(
+    pairs: Sequence[DrivingPair], *, end: float, error: float
+) -> tuple[CountInterval, ...]:
+    """Number of pairs that drive from crank angle 0 to `end`, rad; ends closer than twice the error
+    are merged.
+    """
+    changes = sorted(
+        change
+        for each in pairs
+        for start, stop in each.driving
+        for change in ((start, 1), (stop, -1))
+    )
+    counts: list[CountInterval] = []
+    begun, number, index = 0.0, 0, 0
+    while index < len(changes):
+        place, after = changes[index][0], number
+        while index < len(changes) and changes[index][0] <= place + 2 * error:
+            after, index = after + changes[index][1], index + 1
+        if after == number or place <= 2 * error:
+            number = after
+            continue
+        stop = end if place >= end - 2 * error else place
+        if stop > begun:
+            counts.append(CountInterval(begun, stop, number))
+        begun, number = stop, after
+    if begun < end:
+        counts.append(CountInterval(begun, end, number))
+    return tuple(counts)
 
 
 MAX_FORCE_EXPONENT = 1e6

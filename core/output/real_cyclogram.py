@@ -14,7 +14,7 @@ import numpy as np
 from core.arrays import BoolArray, FloatArray, IntArray
 from core.errors import Accuracy
 from core.fields import answer
-from core.output.contact_force import CountInterval, DrivingPair
+from core.output.contact_force import CountInterval, DrivingPair, numbers_of_pairs
 from core.output.mechanism import Mechanism
 from core.output.turn import Turn
 from core.precision import ROUNDING
@@ -75,7 +75,7 @@ def real_cyclogram(*, turn: Turn, revolutions: float = 1.0) -> RealCyclogram:
         )
         for index in range(len(carries))
     )  # fmt: skip
-    counts = _counts(pairs, shown, error)
+    counts = numbers_of_pairs(pairs, end=shown, error=error)
     numbers = [each.pairs for each in counts]
     return RealCyclogram(
         period=per_wave * turn.waves,
@@ -144,31 +144,3 @@ def _intervals(
             if min(high, shown) > max(low, 0.0):
                 found.append((float(max(low, 0.0)), float(min(high, shown))))
     return tuple(found)
-
-
-def _counts(
-    pairs: tuple[DrivingPair, ...], shown: float, error: float
-) -> tuple[CountInterval, ...]:
-    """Number of pairs that carry over the range; ends closer than twice the error are merged."""
-    changes = sorted(
-        change
-        for each in pairs
-        for start, stop in each.driving
-        for change in ((start, 1), (stop, -1))
-    )
-    counts: list[CountInterval] = []
-    begun, number, index = 0.0, 0, 0
-    while index < len(changes):
-        place, after = changes[index][0], number
-        while index < len(changes) and changes[index][0] <= place + 2 * error:
-            after, index = after + changes[index][1], index + 1
-        if after == number or place <= 2 * error:
-            number = after
-            continue
-        end = shown if place >= shown - 2 * error else place
-        if end > begun:
-            counts.append(CountInterval(begun, end, number))
-        begun, number = end, after
-    if begun < shown:
-        counts.append(CountInterval(begun, shown, number))
-    return tuple(counts)
