@@ -372,14 +372,6 @@ class BodySafety(NamedTuple):
     pressures; the reserve of the load is its square as long as Hertz's pressure governs."""
 
 
-class ContactArc(NamedTuple):
-    """Conformal contact along its arc."""
-
-    pressure: Number  # largest, Pa
-    half_angle: Number  # eps, half of the angle over which it extends, rad
-    half_length: Number  # half of its length along the arc, m
-
-
 class HertzContact(NamedTuple):
     """Stress of the line contact of pin and hole, or of an array of contacts.
 
@@ -431,15 +423,6 @@ class HertzContact(NamedTuple):
     def is_conformal(self) -> bool:
         """True if the contact is so wide that the conformal pressure applies."""
         return self.conformal_pressure is not None
-
-    @property
-    def arc(self) -> ContactArc:
-        """Conformal contact along its arc; `NotKnown` for a contact narrow enough for Hertz."""
-        return ContactArc(
-            required(self.conformal_pressure, "no_conformal_pressure"),
-            required(self.conformal_half_angle, "no_conformal_pressure"),
-            required(self.conformal_half_length, "no_conformal_pressure"),
-        )
 
     @property
     @answered("MPa", "p_g", optional=True)
@@ -686,7 +669,9 @@ def conformal_profile(*, contact: HertzContact, samples: int = 81) -> tuple[Floa
 
     `NotKnown` is raised for a contact without conformal pressure.
     """
-    pressure, half_angle, half_length = contact.arc
+    pressure = required(contact.conformal_pressure, "no_conformal_pressure")
+    half_angle: Number = contact.conformal_half_angle
+    half_length: Number = contact.conformal_half_length
     places = np.sin(np.linspace(-math.pi / 2, math.pi / 2, samples))
     shape = pressure_over_angle(
         angles=half_angle * places, tangent=math.tan(half_angle / 2), beta=contact.mismatch[1]

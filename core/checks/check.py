@@ -391,8 +391,6 @@ class PartVerdict:
 def whole(parts: Iterable[PartVerdict]) -> Outcome:
     """Verdict of several parts together.
 
-    Examples
-    --------
     >>> whole([PartVerdict(code="pins", status="pass"), PartVerdict(code="body", status="open")])
     'incomplete'
     """

@@ -92,8 +92,6 @@ def usual_sizes(*, ring_class: RingClass, circle_radius: float) -> tuple[float, 
     """Usual equidistant modification and zone radius of each ring pin, m; the circle's radius is in
     m.
 
-    Examples
-    --------
     >>> usual_sizes(ring_class="machined", circle_radius=0.08)
     (3e-05, 2.5e-05)
     """

@@ -577,7 +577,7 @@ class Results:
         there = contact if most else self.softest_contact(contact)
         if body == "hole" and there.is_conformal and material.yield_strength is not None:
             wrapped = first_yield_factor(
-                half_angle=there.arc.half_angle,
+                half_angle=there.conformal_half_angle,
                 poissons_ratio=ratio,
                 beta=there.mismatch[1],
             )

@@ -446,8 +446,6 @@ class InvoluteRing(ToothedRing):
         """Least and largest root radius of a satellite's teeth, m: ``m*(z2/2 - h_f + x)``. An
         unknown profile shift x is taken between 0 and h_f.
 
-        Examples
-        --------
         >>> teeth = {"module": 4e-3, "teeth_difference": 2, "reference_pressure_angle": 0.35}
         >>> InvoluteRing(**teeth).roots(ratio=20.0, eccentricity=None)
         (0.075, 0.08)

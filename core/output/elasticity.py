@@ -288,8 +288,6 @@ def pin_flexibility(pin: PinSupport) -> FloatArray:
 def pin_compliance(pin: PinSupport) -> tuple[float, ...]:
     """Deflection of a pin under a unit force, m/N, at each satellite that loads it alone.
 
-    Examples
-    --------
     >>> steel = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
     >>> pin = PinSupport("cantilever", 0.01, (0.008, 0.022), steel)
     >>> [round(c*1e9, 3) for c in pin_compliance(pin)]
@@ -323,8 +321,6 @@ def contact_compliance(
     """Approach of a contact over its force, m/N, by the secant of its law: a function of the force,
     N, > 0.
 
-    Examples
-    --------
     >>> steel = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
     >>> size = {"contact_length": 0.02, "pin_radius": 0.008, "hole_radius": 0.010}
     >>> found = contact_compliance(law=HertzLaw(), **size, pin=steel, hole=steel)

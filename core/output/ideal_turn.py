@@ -180,8 +180,6 @@ def ideal_turn(
     later. `ImpossibleMechanism` is raised for a mechanism with a dead centre, `InvalidInput` for
     an exponent between 0 and `LEAST`.
 
-    Examples
-    --------
     >>> six = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
     >>> turn = ideal_turn(500.0, mechanism=six, force_exponent=1.0, pin_circle_radius=0.05)
     >>> round(float(abs(turn.on_pins).max()), 4), round(float(turn.couple.sum(axis=0)[0]), 4)

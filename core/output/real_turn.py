@@ -39,19 +39,6 @@ def sampled(turn: Turn) -> SampledTurn:
     """Forces on pins and discs under one torque over the turn, sampled as closely as they need.
 
     ImpossibleMechanism is raised as by `Stage.solved`.
-
-    >>> from core.output.elasticity import LinearLaw
-    >>> from core.output.mechanism import Mechanism
-    >>> from core.materials import ElasticMaterial
-    >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> real = RealMechanism(
-    ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
-    ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
-    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False,
-    ...     pin_material=steel, hole_material=steel)
-    >>> found = sampled(Turn(real, 30.0))
-    >>> round(float(abs(found.on_pins).max()), 1), bool(np.allclose(found.couple, 30.0))
-    (957.1, True)
     """
     rows = refined(turn=turn)
     return directed(turn=turn, rows=rows, samples=over_all(turn=turn, rows=rows))

@@ -271,12 +271,8 @@ class TurnRoom:
         return {} if self.crank_angle is None else {"crank_angle": self.crank_angle}
 
 
-class _Extreme(NamedTuple):
-    """Largest or least value over the turn."""
-
-    place: float  # wave angle, rad
-    height: float  # in the unit of what is sampled
-    error: float  # in the unit of the height
+_Extreme = tuple[float, float, float]
+"""Wave angle of a largest or least value over the turn, rad, the value, and its error."""
 
 
 class _Pairs(NamedTuple):
@@ -303,14 +299,6 @@ class _Pairs(NamedTuple):
 
 Turned = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 """Least and largest rotation of discs in their ring, rad, shape (M, K), by crank angles, rad."""
-
-
-class _Free(NamedTuple):
-    """Positions of discs that turn in their ring to where they have most room."""
-
-    room: FloatArray  # m, [M]
-    lag: FloatArray  # lag of the output, rad, [M]
-    turned: FloatArray  # rotation of each disc in the ring, rad, [M, K]
 
 
 class _Placed(NamedTuple):
@@ -463,8 +451,9 @@ class Rooms:
             high, falling = np.where(ahead, lag, high), np.where(ahead, worst, falling)
         return room, lag
 
-    def _free(self, wave: FloatArray) -> _Free:
-        """Most room of discs that turn in their ring.
+    def _free(self, wave: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Most room of discs that turn in their ring, m, lag of the output, rad, both of shape
+        (M,), and rotation of each disc in the ring, rad, shape (M, K).
 
         The holes of a turned disc are where they would be at a wave angle less by the rotation. A
         change of the room by that alone is no reason to turn (`ELSEWHERE`).
@@ -492,7 +481,7 @@ class Rooms:
             if np.abs(turned - before).max() * self._steepest <= self._rounding:
                 break
         left = [p.left(o[:, None]).min(axis=1) for p, o in zip(pairs, own.T, strict=True)]
-        return _Free(np.min(left, axis=0), lag, turned)
+        return np.min(left, axis=0), lag, turned
 
     @property
     def _rounding(self) -> float:
@@ -541,7 +530,7 @@ class Rooms:
         alike = places[height >= height.max() - AS_TYPED * self.eccentricity]
         first = alike[((alike - self._start() + NEAR) % (2 * np.pi * self.turns)).argmin()]
         error = float(errors[height.argmax()]) + self._rounding
-        return _Extreme(float(first), float(sign * height.max()), error)
+        return float(first), float(sign * height.max()), error
 
     def _extreme(self, grid: FloatArray, heights: FloatArray, sign: int, disc: int | None
                  ) -> _Extreme:  # fmt: skip
@@ -689,7 +678,7 @@ class Rooms:
         grid, heights = self._grid(), self._heights(disc)
         if self._flat(heights):
             return float(heights.max())
-        return self._extreme(grid, heights, 1, disc).height
+        return self._extreme(grid, heights, 1, disc)[1]
 
     def _below(self, grid: FloatArray, heights: FloatArray, disc: int | None) -> float | None:
         """Position without room between the positions of a grid that all have some, or None.

@@ -16,8 +16,6 @@ from core.ring.sharing import MeshTurn
 def forces_on_ring(turn: MeshTurn) -> PinForces:
     """Forces of cycloid discs on ring pins in the ring's frame, N, with normals of perfect parts.
 
-    Examples
-    --------
     Largest force of a disc of 29 lobes, which agrees with a published program.
 
     >>> from core.materials import ElasticMaterial

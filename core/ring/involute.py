@@ -59,8 +59,6 @@ class Rack:
 def usual_rack(*, pressure_angle: float) -> Rack:
     """Rack of ISO 53 A at a pressure angle alpha in rad, its tip as round as there is room for.
 
-    Examples
-    --------
     >>> round(usual_rack(pressure_angle=math.radians(25)).tip_radius, 3)
     0.318
     """
@@ -410,8 +408,6 @@ def involute_pair(*, teeth: InvoluteTeeth, eccentricity: float | None = None) ->
 def angle_of(value: float) -> float:
     """Pressure angle in rad at which the involute function has a value > 0, by Newton's method.
 
-    Examples
-    --------
     >>> round(math.degrees(angle_of(0.014904384)), 6)
     20.0
     """

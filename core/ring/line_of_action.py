@@ -20,8 +20,6 @@ from core.crank.ring_mesh import involute_mesh
 def involute(angle: Number) -> Number:
     """Involute function ``tan(angle) - angle`` of a pressure angle, rad.
 
-    Examples
-    --------
     >>> round(float(involute(math.radians(20))), 9)
     0.014904384
     """

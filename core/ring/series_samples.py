@@ -14,8 +14,6 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
     """Forces under one torque with the ring's forces on each disc, sampled as closely as the forces
     on the output pins and of the ring need. Raises ImpossibleMechanism as `Stage.solved` does.
 
-    Examples
-    --------
     In exact geometry the forces of ring and pins across the crank give the input torque.
 
     >>> from core.materials import ElasticMaterial

@@ -58,8 +58,6 @@ def _most(tail: int, count: int, p: float) -> float:
 def fewest(percent: float) -> int:
     """Least sample size in which a percentile has an interval: p^n and (1 - p)^n are at most 2.5 %.
 
-    Examples
-    --------
     >>> fewest(50), fewest(95), fewest(99)
     (6, 72, 368)
     """

@@ -39,30 +39,21 @@ def take_materials(sheet: Sheet, *materials: ElasticMaterial) -> None:
 def hertz_steps(
     *,
     found: HertzContact,
-    force: float,
-    contact_length: float,
-    pin_radius: float,
-    hole_radius: float,
-    pin_material: ElasticMaterial,
-    hole_material: ElasticMaterial,
-    dynamic_factor: float = 1.0,
-    distribution_factor: float = 1.0,
     line_load_factor: float = 1.0,
     turning: tuple[float | None, float, float] = (None, math.inf, math.inf),
+    **pressed: Any,
 ) -> list[Step]:
-    """Steps of the contact; arguments are those of `core.hertz.hertz`. `line_load_factor` is K_b of
-    pins that bend; `turning` are speed of the crank, rad/s, life, s, and ratio, if limits fall over
-    the life.
+    """Steps of the contact; `pressed` has the arguments of `core.hertz.hertz`. `line_load_factor`
+    is K_b of pins that bend; `turning` are speed of the crank, rad/s, life, s, and ratio, if limits
+    fall over the life.
     """
     sheet = Sheet(found)
-    sheet.take("F", "force", force)
-    sheet.take("b", "contact_length", contact_length)
-    sheet.take("K_A", "dynamic_factor", dynamic_factor)
-    sheet.take("K_alpha", "distribution_factor", distribution_factor)
-    sheet.take("r_in", "pin_radius", pin_radius)
-    sheet.take("r_out", "hole_radius", hole_radius)
-    take_materials(sheet, pin_material, hole_material)
-    load, formula = force / contact_length * dynamic_factor * distribution_factor, "F/b*K_A*K_alpha"
+    given = {"dynamic_factor": 1.0, "distribution_factor": 1.0} | pressed
+    sheet.read(given, F="force", b="contact_length", r_in="pin_radius", r_out="hole_radius")
+    sheet.read(given, K_A="dynamic_factor", K_alpha="distribution_factor")
+    take_materials(sheet, given["pin_material"], given["hole_material"])
+    force, length, *factors = (sheet.known[name].value for name in ("F", "b", "K_A", "K_alpha"))
+    load, formula = force / length * factors[0] * factors[1], "F/b*K_A*K_alpha"
     if line_load_factor != 1.0:
         sheet.state("line_load_factor", "K_b", "edge", value=line_load_factor)
         load, formula = load * line_load_factor, formula + "*K_b"
@@ -79,7 +70,7 @@ def hertz_steps(
     sheet.take("k_z", "factor", SHEAR_DEPTH)
     sheet.work("max_shear_depth", "z", "k_z*a", **JOHNSON)
     if found.is_conformal:
-        _conformal(sheet, found, load, hole_radius - pin_radius)
+        _conformal(sheet, found, load, given["hole_radius"] - given["pin_radius"])
     with suppress(NotKnown):
         pressure = found.governing_pressure
         by = "governs_conformal" if found.is_conformal else "governs_hertz"
