@@ -112,6 +112,14 @@ def check_single(**values: Number | None) -> None:
             raise InvalidInput(name, value, "not_single")
 
 
+def check_count(expected: int, **lists: Sequence[object]) -> None:
+    """Refuse lists, given by name, of another length."""
+    for name, values in lists.items():
+        if len(values) != expected:
+            counts = {"expected": expected, "actual": len(values)}
+            raise InvalidInput(name, values, "different_length", **counts)
+
+
 def check_finite(**values: Number) -> None:
     """Refuse quantities, given by name, that are infinite or NaN; the first such entry is named."""
     for name, value in values.items():

@@ -464,26 +464,13 @@ def hertz(
 
     ``w = F/b*K_A*K_alpha``, ``rho = R*r/(R - r)``, ``p0 = sqrt(w*E*/(pi*rho))``,
     ``a = sqrt(4*w*rho/(pi*E*))``. The conformal contact is added where its pressure is more than
-    `HERTZ_TOLERANCE` above Hertz's.
-    Source: Yanchevsky et al. 2018, eq. (2); half-width, mean pressure and shear: Johnson, Contact
-    Mechanics, 4.2.
+    `HERTZ_TOLERANCE` above Hertz's. Source: Yanchevsky et al. 2018, eq. (2); half-width, mean
+    pressure and shear: Johnson, Contact Mechanics, 4.2.
 
-    Parameters
-    ----------
-    force : float or array
-        Contact force F, N, >= 0.
-    contact_length : float or array
-        Length b of the contact along the pin, m.
-    pin_radius, hole_radius : float or array
-        Radius r of the pin and R of the hole, m; R has to be larger, as a pin that fills its hole
-        has no line contact.
-    dynamic_factor : float or array
-        Application factor K_A, > 0.
-    distribution_factor : float or array
-        Load-sharing factor K_alpha of the pairs, > 0.
+    The force F, N, is not negative; the contact length b, m, the application factor K_A and the
+    load-sharing factor K_alpha of the pairs are > 0. The radius R of the hole has to be larger than
+    r of the pin, as a pin that fills its hole has no line contact.
 
-    Examples
-    --------
     >>> steel = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
     >>> contact = hertz(force=1000.0, contact_length=0.02, pin_radius=0.006, hole_radius=0.008,
     ...                 pin_material=steel, hole_material=steel)

@@ -83,23 +83,11 @@ def balance(
     ``U = sum m*e*e^(i*alpha_j) + sum U_k*e^(i*beta_k)``, force ``|U|*w^2``, couple
     ``|sum U*(z - (A + B)/2)|*w^2``, reactions ``R_B = -sum U*(z - A)/(B - A)*w^2`` and
     ``R_A = -sum U*w^2 - R_B``, grade ``|U|*w/M`` (ISO 21940-11). Numbers within rounding are 0.
+    Masses are in kg: m of a satellite with its bearing, M of all that turns with the shaft, by
+    default that of the satellites. Middle planes z of the satellites, and places A and B of the
+    bearings, B beyond A, count along the shaft, m; w is the speed of the crank against the housing,
+    rad/s, > 0.
 
-    Parameters
-    ----------
-    satellite_mass : float
-        Mass m of a satellite with its bearing, kg.
-    crank_angles, satellite_positions : tuple of float
-        Angle alpha_j of each crank, rad, and middle plane z of each satellite along the shaft, m,
-        both of shape (K,).
-    bearing_positions : tuple of float
-        Places A and B of the bearings along the shaft, m; B beyond A.
-    input_speed : float
-        Speed w of the crank against the housing, rad/s, > 0.
-    rotor_mass : float, optional
-        Mass M of all that turns with the shaft, kg; by default that of the satellites.
-
-    Examples
-    --------
     One satellite of 1.5 kg at 1500 rpm, and a counterweight opposite in its plane.
 
     >>> alone = dict(satellite_mass=1.5, eccentricity=2e-3, crank_angles=(0.0,),

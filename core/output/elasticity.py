@@ -16,11 +16,11 @@ supports. Clamped ends take from the latter what their moments turn back.
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple, Self
+from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
-from core.arrays import FloatArray, Number, check_positive, larger, log
+from core.arrays import FloatArray, Number, check_count, check_positive, larger, log
 from core.drive.engine import CONFORMAL, HERTZ, HERTZ_END, LINEAR, POWER
 from core.drive.model import Bending
 from core.errors import InvalidInput
@@ -220,10 +220,7 @@ class PinSupport(Pins):
 
     def bending(self, satellites: int) -> list[float]:
         """Compliance of a pin at each satellite, m/N; see `pin_compliance`."""
-        places = self.satellite_positions
-        if len(places) != satellites:
-            counts = {"expected": satellites, "actual": len(places)}
-            raise InvalidInput("satellite_positions", places, "different_length", **counts)
+        check_count(satellites, satellite_positions=self.satellite_positions)
         return [*pin_compliance(self)]
 
     def wall_compliance(self, contact_length: float) -> float:
@@ -477,15 +474,10 @@ def law_curve(
 class SatelliteSupport:
     """Support of the satellites: rigid here, elastic in subclasses."""
 
-    @property
-    def gives(self) -> bool:
-        """True if the support lets satellites move or turn."""
-        return False
-
-    @property
-    def turning(self) -> bool:
-        """True if satellites turn against each other."""
-        return False
+    gives: ClassVar[bool] = False
+    """True if the support lets satellites move or turn."""
+    turning: ClassVar[bool] = False
+    """True if satellites turn against each other."""
 
     @property
     def bearing(self) -> float:
@@ -528,11 +520,7 @@ class CrankSupport(SatelliteSupport):
         "Clearance of a bearing", "G", "mm", default=0.0, step=0.005, ge=0, le=LARGEST
     )
     """Radial internal clearance as stated in catalogues; half of it lies on either side."""
-
-    @property
-    def gives(self) -> bool:
-        """True: a bearing is given."""
-        return True
+    gives: ClassVar[bool] = True
 
     @property
     def bearing(self) -> float:
@@ -558,16 +546,8 @@ class ElasticMesh(SatelliteSupport):
 
     stiffness: float = size("Stiffness of a mesh", "k_D", "Nm_per_arcmin", step=1)
     """Torque of one satellite over the rotation that its mesh allows, for elastic coupling."""
-
-    @property
-    def gives(self) -> bool:
-        """True: a mesh is given."""
-        return True
-
-    @property
-    def turning(self) -> bool:
-        """True: each disc turns in its own mesh."""
-        return True
+    gives: ClassVar[bool] = True
+    turning: ClassVar[bool] = True
 
     @property
     def mesh(self) -> float:
@@ -589,20 +569,12 @@ class Shares(SatelliteSupport):
         "Shares of the torque", "w_j", ge=1e-6, le=1, lengths=((1, MAX_SATELLITES),)
     )
     """Share of the torque that each satellite carries; the shares add up to 1."""
+    gives: ClassVar[bool] = True
+    turning: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
         if not abs(math.fsum(self.shares) - 1) <= SAME:
             raise InvalidInput("shares", self.shares, "sum_not_one", sum=math.fsum(self.shares))
-
-    @property
-    def gives(self) -> bool:
-        """True: satellites are not held together."""
-        return True
-
-    @property
-    def turning(self) -> bool:
-        """True: each satellite turns by itself."""
-        return True
 
     @property
     def given_shares(self) -> tuple[float, ...]:
@@ -611,9 +583,7 @@ class Shares(SatelliteSupport):
 
     def check(self, satellites: int) -> None:
         """Raise `InvalidInput` if shares are not one for each satellite, or not positive."""
-        if len(self.shares) != satellites:
-            counts = {"expected": satellites, "actual": len(self.shares)}
-            raise InvalidInput("shares", self.shares, "different_length", **counts)
+        check_count(satellites, shares=self.shares)
         for j, share in enumerate(self.shares):
             check_positive(**{f"shares[{j}]": share})
 
@@ -642,12 +612,12 @@ class Supports(SatelliteSupport):
     coupling: SatelliteSupport  # elastic mesh, shares, both meshes in series, or rigid
 
     @property
-    def gives(self) -> bool:
+    def gives(self) -> bool:  # type: ignore[override] # not set
         """True if bearings or coupling let satellites move or turn."""
         return self.crank.gives or self.coupling.gives
 
     @property
-    def turning(self) -> bool:
+    def turning(self) -> bool:  # type: ignore[override] # not set
         """True if the coupling lets satellites turn against each other."""
         return self.coupling.turning
 

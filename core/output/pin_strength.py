@@ -225,43 +225,16 @@ def pin_stresses(
 ) -> PinStresses:
     """Stresses of the pins over the turn.
 
-    Parameters
-    ----------
-    force_exponent : float
-        Exponent v of the force over the approach, for the ideal forces.
-    output_torque : float
-        Torque T on the output link, N*m, > 0.
-    pin_circle_radius : float
-        Radius R of the circle of pin centres, m, > 0.
-    diameter : float
-        Diameter d of the pin, m, > 0.
-    bore_diameter : float
-        Diameter of the bore, m, from 0 to 0.95 d.
-    contact_length : float
-        Length b over which each force is spread evenly, m, > 0.
-    satellite_positions : tuple of float
-        Middle plane z of each disc from the carrier's face, m, at least b/2, and at most
-        ``L - b/2`` with a span L.
-    support : {"cantilever", "supported", "fixed", "tie_ring"}
-        Support of the pin, see `core.output.pin_beam.Support`.
-    span : float, optional
-        Distance L of the supports, or of the tie ring from the carrier, m; not of a cantilever.
-    ring_joint : {"pinned", "clamped"}
-        Joint of a tie ring to the pins.
-    application_factor : float
-        Factor K_A on the torque, > 0, also in the static safety if no peak torque is given.
-    peak_torque : float, optional
-        Torque of the static safety, N*m, > 0; ``K_A*T`` by default.
-    torque_direction : {"driving", "reverse", "alternating"}
-        Sense of the torque; each cycle of an alternating one has both senses.
-    made : callable, optional
-        Forces on the pins of the mechanism as made, see `core.output.real_turn.sampled`; the worst
-        pin counts. Ideal forces, shared equally by the discs, are the default.
+    The torque T on the output link, N*m, the radius R of the circle of pin centres, the diameters d
+    of pin and bore (at most 0.95 d), and the length b over which each force is spread evenly, m,
+    are > 0. The middle plane z of each disc lies at least b/2 from the carrier's face, and at most
+    ``L - b/2`` with the distance L of the supports, or of the tie ring from the carrier; a
+    cantilever has none. The factor K_A on the torque also counts in the static safety if no peak
+    torque is given. Each cycle of an alternating torque has both senses.
 
-    Raises
-    ------
-    ImpossibleMechanism
-        If the mechanism has a dead centre.
+    Ideal forces with the exponent v are shared equally by the discs. `made` gives the forces on the
+    pins of the mechanism as made in their place, see `core.output.real_turn.sampled`; the worst pin
+    counts. `ImpossibleMechanism` is raised if the mechanism has a dead centre.
     """
     check_single(
         output_torque=output_torque,

@@ -165,12 +165,6 @@ class RealMechanism(Stage):
         return found
 
     @property
-    def phases(self) -> list[float]:
-        """Angles of the cranks with their errors, rad."""
-        errors = self.deviations.crank_phase or (0.0,) * self.mechanism.satellites
-        return [each + more for each, more in zip(self.mechanism.crank_angles, errors, strict=True)]
-
-    @property
     def pin_radii(self) -> FloatArray:
         """Radius of each pair's pin, m, shape (K*N,)."""
         return np.asarray(self.drive.cf[0, :, engine.RAD])

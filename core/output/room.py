@@ -16,8 +16,8 @@ from typing import Generic, Literal, NamedTuple, TypeVar
 
 import numpy as np
 
-from core.arrays import ComplexArray, FloatArray, IntArray, check_finite
-from core.errors import ImpossibleMechanism, InvalidInput
+from core.arrays import ComplexArray, FloatArray, IntArray, check_count, check_finite
+from core.errors import ImpossibleMechanism
 from core.fields import answer, answered, quantity
 from core.numerics.extremes import zoom
 from core.output.mechanism import MAX_SATELLITES, Mechanism
@@ -83,13 +83,21 @@ _phase = partial(
 
 
 def _check_length(name: str, values: Sequence[object], expected: int | None) -> None:
-    if values and expected not in (None, len(values)):
-        counts = {"expected": expected, "actual": len(values)}
-        raise InvalidInput(name, values, "different_length", **counts)
+    if values and expected is not None:
+        check_count(expected, **{name: values})
 
 
 OF_RING_PINS = ("ring_pin_radial", "ring_pin_tangential", "ring_pin_radius")
 """Deviations of the pins of a ring."""
+
+
+def filled(name: str, *, values: Sequence[float], expected: int) -> list[float]:
+    """Deviations of a list, zeros if it is empty; another length or infinite values are refused."""
+    if not values:
+        return [0.0] * expected
+    check_count(expected, **{name: values})
+    check_finite(**{f"{name}[{index}]": value for index, value in enumerate(values)})
+    return [float(value) for value in values]
 
 
 class Errors(NamedTuple, Generic[R]):
@@ -169,23 +177,20 @@ class Deviations:
         """Flat rows for N pins and K satellites; another length or infinite values are refused."""
         self.check(pins=pins, satellites=satellites, ring_pins=None)
 
-        def row(name: str, values: Sequence[float], expected: int) -> list[float]:
-            if not values:
-                return [0.0] * expected
-            for index, value in enumerate(values):
-                check_finite(**{f"{name}[{index}]": value})
-            return [float(value) for value in values]
-
         def table(name: str) -> list[float]:
-            values = getattr(self, name)
-            if not values:
-                return [0.0] * (pins * satellites)
-            return [x for j, each in enumerate(values) for x in row(f"{name}[{j}]", each, pins)]
+            values = getattr(self, name) or ((),) * satellites
+            rows = (
+                filled(f"{name}[{j}]", values=each, expected=pins) for j, each in enumerate(values)
+            )
+            return [*chain(*rows)]
+
+        def row(name: str, expected: int) -> list[float]:
+            return filled(name, values=getattr(self, name), expected=expected)
 
         return Errors(
-            *[row(name, getattr(self, name), pins) for name in Errors._fields[:3]],
+            *[row(name, pins) for name in Errors._fields[:3]],
             *[table(name) for name in Errors._fields[3:6]],
-            *[row(name, getattr(self, name), satellites) for name in Errors._fields[6:]],
+            *[row(name, satellites) for name in Errors._fields[6:]],
         )
 
     def at_next_holes(self, mechanism: Mechanism) -> "tuple[Deviations, tuple[int, ...]]":

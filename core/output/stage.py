@@ -162,6 +162,7 @@ class Stage:
 
     mechanism: Mechanism  # pins and cranks; the wave of a ring turns with the crank
     support: Any  # elastic supports or given shares of the satellites; None if rigid
+    deviations: Any  # deviations of pins, discs and cranks
     kind = engine.PIN
     """Kind of the contacts whose forces are those of the stage."""
 
@@ -173,7 +174,9 @@ class Stage:
     @property
     def phases(self) -> Sequence[float]:
         """Angles of the cranks with their errors, rad."""
-        raise NotImplementedError
+        angles = self.mechanism.crank_angles
+        errors = self.deviations.crank_phase or (0.0,) * len(angles)
+        return [angle + error for angle, error in zip(angles, errors, strict=True)]
 
     @property
     def pins_alike(self) -> bool:

@@ -91,21 +91,11 @@ def contact_lines(
 
     Source: Khatetovsky et al. 2020, eqs (1)-(7). Errata: (1) ends in "= 0"; the slope (5) has the
     sign opposite to the derivative ``dz/dphi = -A*sin(phi1)/sin(phi + phi1)^2`` and cancels digits.
+    R_C is the radius of the circle of roller axes, rho < R_C that of a roller, m, theta the
+    nutation angle, rad, 0 < theta < pi/2, u12 the ratio with the input shaft held. Without the sign
+    of the torque on the central wheel, 1 or -1, limits in z give the flank
+    ``phi = atan2(-z*sin(phi1), A + z*cos(phi1))``.
 
-    Parameters
-    ----------
-    roller_circle_radius, roller_radius : float
-        Radius R_C of the circle of roller axes and radius rho < R_C of a roller, m.
-    nutation_angle : float
-        Nutation angle theta, rad, 0 < theta < pi/2.
-    ratio_u12 : float
-        Ratio u12 with the input shaft held.
-    torque_sign : int, optional
-        Sign 1 or -1 of the torque on the central wheel. Without it limits in z give the flank
-        ``phi = atan2(-z*sin(phi1), A + z*cos(phi1))``.
-
-    Examples
-    --------
     >>> from math import radians
     >>> result = contact_lines(
     ...     roller_circle_radius=0.05, roller_radius=0.004, nutation_angle=radians(6),

@@ -6,7 +6,7 @@ phases are counted once, in the teeth.
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -124,7 +124,7 @@ class MeshesInSeries(Stage):
         return self.output.mechanism
 
     @property
-    def phases(self) -> list[float]:
+    def phases(self) -> Sequence[float]:
         """Angles of the cranks with their errors, rad."""
         return self.output.phases
 

@@ -10,7 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
-from core.arrays import FloatArray, IntArray, check_finite, check_positive, check_single
+from core.arrays import FloatArray, IntArray, check_positive, check_single
 from core.drive import engine
 from core.drive.model import Pieces
 from core.errors import Accuracy, ImpossibleMechanism, InvalidInput, Notice, derived, poorly_known
@@ -34,6 +34,7 @@ from core.output.elasticity import (
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn
 from core.output.real_turn import CloseSamples, close_samples
+from core.output.room import filled
 from core.output.stage import Solved, Stage, check_torque
 from core.ring.drives import ring_drive
 from core.ring.profile import CycloidDisc, Modification
@@ -68,15 +69,10 @@ class RingDeviations:
 
     def each(self, *, pins: int, satellites: int) -> tuple[list[float], ...]:
         """All deviations as lists filled with zeros; InvalidInput for a wrong length or entry."""
-        found = []
-        for index, name in enumerate(self.__slots__):
-            values, expected = getattr(self, name), pins if index < 3 else satellites
-            if values and len(values) != expected:
-                counts = {"expected": expected, "actual": len(values)}
-                raise InvalidInput(name, values, "different_length", **counts)
-            check_finite(**{f"{name}[{i}]": value for i, value in enumerate(values)})
-            found.append([float(value) for value in values] or [0.0] * expected)
-        return tuple(found)
+        return tuple(
+            filled(name, values=getattr(self, name), expected=pins if index < 3 else satellites)
+            for index, name in enumerate(self.__slots__)
+        )
 
 
 @dataclass(frozen=True)
@@ -189,12 +185,6 @@ class CycloidMesh(Stage):
         if none.any():
             j, k = divmod(int(none.argmax()), self.disc.pins)
             raise ImpossibleMechanism("no_radius_left", satellite=j + 1, pin=k + 1)
-
-    @property
-    def phases(self) -> list[float]:
-        """Angles of the cranks with their errors, rad."""
-        errors = self.deviations.crank_phase or (0.0,) * len(self.crank_angles)
-        return [angle + error for angle, error in zip(self.crank_angles, errors, strict=True)]
 
     @property
     def pin_radii(self) -> FloatArray:
@@ -458,32 +448,22 @@ class MeshTurn(OverTurn):
         return self._by_values(engine.ALONG_LEAST, -1) / self._across
 
     @property
-    def samples(self) -> tuple[FloatArray, FloatArray]:
-        """Crank angles of the solved positions, rad, and the forces of all pairs there, N."""
-        return self.turn.fine["wave"], self.turn.fine["teeth"]
-
-    @property
     def close(self) -> CloseSamples:
         """Forces of all pairs, sampled closely enough to interpolate."""
         return close_samples(self.turn)
-
-    @property
-    def even(self) -> IntArray:
-        """Indices of the evenly spaced positions in `samples`."""
-        places, _ = self.turn.positions()
-        return np.searchsorted(self.turn.fine["wave"], places)
 
     @property
     def _even_forces(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Forces of all pairs at even positions, N, angles of the pins from the cranks, rad, and S,
         distances to the pitch points over the pin circle radius; shape (M, pairs).
         """
-        (wave, force), there, disc = self.samples, self.even, self.mesh.disc
-        phases = np.array(self.mesh.phases)
+        rows, disc, phases = self.turn.fine, self.mesh.disc, np.array(self.mesh.phases)
+        there = np.searchsorted(rows["wave"], self.turn.positions()[0])
         ring = 2 * np.pi * np.arange(disc.pins) / disc.pins
-        angle = wave[there, None] + (phases[:, None] + ring).ravel()
+        angle = rows["wave"][there, None] + (phases[:, None] + ring).ravel()
         k = disc.shortening_coefficient
-        return force[there], angle, np.sqrt((1 - k) ** 2 + 4 * k * np.sin(angle / 2) ** 2)
+        slope = np.sqrt((1 - k) ** 2 + 4 * k * np.sin(angle / 2) ** 2)
+        return rows["teeth"][there], angle, slope
 
     @property
     def mean_radial_force_ratio(self) -> float:

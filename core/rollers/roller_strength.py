@@ -10,7 +10,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from core.arrays import IntArray, Number, ascending, check_not_negative, check_positive, smaller
+from core.arrays import (
+    IntArray,
+    Number,
+    ascending,
+    check_count,
+    check_not_negative,
+    check_positive,
+    smaller,
+)
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.fatigue import CycleFatigue, FatigueStrength, judge_cycle
 from core.fields import answer, answered
@@ -52,9 +60,7 @@ class GivenGaps:
 
     def gaps(self, rollers: int) -> Sequence[Number]:
         """Gap of each roller, m; InvalidInput is raised if there is not one for each."""
-        if len(self.each) != rollers:
-            count = {"expected": rollers, "actual": len(self.each)}
-            raise InvalidInput("gaps", self.each, "different_length", **count)
+        check_count(rollers, gaps=self.each)
         return self.each
 
     def relative_error(self, *, stiffness: Number, mean_force: Number) -> Number:
@@ -196,22 +202,10 @@ def roller_strength(
     compliance is 6 % smaller at l/d = 1. One roller carries everything from delta = n/4, which for
     the source's n = 4 is its limit of 1.
 
-    Parameters
-    ----------
-    output_torque : float or array, T, N*m, > 0
-    hole_circle_radius : float or array, R, m
-    rollers : int, number n, >= 1
-    cylinder_length : float or array, l between two spheres, m
-    sphere_width, sphere_diameter : float or array, b and D, m
-    diameter : float or array, d of the cylinder, m
-    friction_coefficient : float or array, k of sphere and hole, >= 0
-    youngs_modulus : float or array, E, Pa
-    shear : ByPoissonsRatio or ByShearModulus
-    stress_concentration : float or array, K_sigma, > 0
-    spacing : PositionTolerance or GivenGaps
+    T is in N*m, > 0, the circle's radius R in m, n >= 1; l is the length of a cylinder between two
+    spheres, b and D are width and diameter of a sphere, d is the diameter of the cylinder, m; k is
+    the friction coefficient of sphere and hole, >= 0, E in Pa, K_sigma > 0.
 
-    Examples
-    --------
     sigma/E of the source's fig. 6 at l/d = 2, chi/d = 2e-4:
 
     >>> result = roller_strength(
