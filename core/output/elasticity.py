@@ -359,14 +359,14 @@ def approach_under(*, law: ContactLaw, curve: Curve, force: Number, a: Number, b
 class Law(NamedTuple):
     """Constants of the contact law of all pairs."""
 
-    a: float  # LINEAR 1/k; POWER k; CONFORMAL b*E*
-    first: float  # HERTZ: (1 - nu^2)/E of the pin
-    second: float  # HERTZ: (1 - nu^2)/E of the hole
-    quarter: float  # pi*b*E*/4
-    around: float  # pi*b
-    depth: float  # depth to which the hole's approach is counted, m
-    ratio: float  # nu/(1 - nu) of the hole
-    end: float  # CONFORMAL: load Q/(E* dR) at which the law ends
+    a: float = 0.0  # LINEAR 1/k; POWER k; CONFORMAL b*E*
+    first: float = 0.0  # HERTZ: (1 - nu^2)/E of the pin
+    second: float = 0.0  # HERTZ: (1 - nu^2)/E of the hole
+    quarter: float = 0.0  # pi*b*E*/4
+    around: float = 0.0  # pi*b
+    depth: float = 0.0  # depth to which the hole's approach is counted, m
+    ratio: float = 0.0  # nu/(1 - nu) of the hole
+    end: float = 0.0  # CONFORMAL: load Q/(E* dR) at which the law ends
 
 
 def pair_law(*, kind: int, law: Law, pin: Any, wide: Any, give: Any) -> tuple[Any, Any, Any]:
@@ -435,25 +435,23 @@ def law_constants(
     """
     match law:
         case LinearLaw(stiffness=stiffness):
-            return Law(1 / stiffness, *[0.0] * 7)
+            return Law(1 / stiffness)
         case PowerLaw(exponent=n, reference_force=force, reference_approach=approach):
-            return Law(force / approach**n, *[0.0] * 7)
+            return Law(force / approach**n)
         case PalmgrenLaw():
             per_force = 3.84e-5 / (1e3 * contact_length) ** 0.8 * 1e-3  # m/N^0.9
-            return Law(per_force**-LOG_EXPONENT, *[0.0] * 7)
+            return Law(per_force**-LOG_EXPONENT)
         case ConformalLaw():
             curve = law_curve(law=law, contact_length=contact_length, pin=pin, hole=hole)
-            return Law(curve.modulus, *[0.0] * 7)._replace(end=end(curve))
+            return Law(curve.modulus, end=end(curve))
     around = math.pi * contact_length
     return Law(
-        a=0.0,
         first=(1 - pin.poissons_ratio**2) / pin.youngs_modulus,
         second=(1 - hole.poissons_ratio**2) / hole.youngs_modulus,
         quarter=around * effective_modulus(first=pin, second=hole) / 4,
         around=around,
         depth=law.depth(hole_radius),
         ratio=hole.poissons_ratio / (1 - hole.poissons_ratio),
-        end=0.0,
     )
 
 

@@ -11,9 +11,8 @@ from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn
 from core.output.stage import Stage
 from core.output.summits import Grid, summits
-from core.output.turn import Turn
 from core.ring.series import MeshesInSeries
-from core.ring.series_turn import SeriesOverTurn, SeriesTurn
+from core.ring.series_turn import SeriesOverTurn
 from core.ring.sharing import CycloidMesh, MeshTurn
 from core.work_precision.study import (
     REFERENCE_DIGITS,
@@ -124,10 +123,11 @@ def real_peak_study(*, real: Stage, output_torque: float) -> WorkPrecision:
         own = real.mechanism.pins * real.mechanism.satellites
         _refuse_many(real.ring.mechanism, "ring_teeth", own)
 
+    in_series = isinstance(real, MeshesInSeries)
+    kind: type[OverTurn] = SeriesOverTurn if in_series else MeshTurn if ring else OverTurn
+
     def fresh() -> OverTurn:
-        if isinstance(real, MeshesInSeries):
-            return SeriesOverTurn(SeriesTurn(real, output_torque))
-        return (MeshTurn if ring else OverTurn)(Turn(real, output_torque))
+        return kind(kind.TURN(real, output_torque))
 
     turn = fresh().turn
     narrow = turn.narrow(turn.force)
