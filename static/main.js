@@ -118,7 +118,6 @@ async function partsOf(id) {
     calculator,
     modelOf: () => formModel(openapi, {
       ...calculator, path: client.base + calculator.path, words: ownWords,
-      wanted: calculator.wanted?.map((group) => ({ ...group, paths: group.paths.map((path) => client.base + path) })),
       diameters: lengths === "diameter" ? message("diameter") : null,
     }),
     examples: examples.filter(({ calculation }) => `/${calculation}` === calculator.path)

@@ -19,11 +19,9 @@ export function fatigueFields(way, ways) {
 }
 
 /** A group of fatigue of a calculator whose request has it beside `also`, fields of its own. */
-export const enduranceOf = (path, ways, also) => ({
+export const enduranceOf = (also) => ({
   id: "endurance",
-  paths: [path],
-  fields: { ...also, ...fatigueFields("endurance.fatigue", ways), "requirements.fatigue_safety": rare },
-  judged: true,
+  fields: { ...also, ...fatigueFields("endurance.fatigue", ["notch_factor", "notch", "endurance_limit"]), "requirements.fatigue_safety": rare },
   starts: () => ({ "fatigue.reliability_percent": 99 }),
 });
 

@@ -168,7 +168,7 @@ export function formModel(openapi, {
 }) {
   const { schema, resolve } = bodySchema(openapi, path, words);
   const others = requirements ? Object.keys(resolve(schema.properties.requirements).properties).filter((name) => !requirements.includes(name)) : [];
-  const hidden = [...kept, ...others.map((name) => `requirements.${name}`)];
+  const hidden = [...kept, ...others.map((name) => `requirements.${name}`), ...wanted.flatMap(({ fields }) => Object.keys(fields))];
   const plain = inline
     ? groupsByField(schema, { groups, inline, hidden, resolve })
     : groups.map((id) => ({ id, items: sectionItems(resolve(schema.properties[id]), id, resolve, hidden) }));
@@ -178,10 +178,10 @@ export function formModel(openapi, {
   }));
   const items = parts.flatMap((part) => part.items);
   // What follows another box is always said, be it by that one: figures need it too.
-  const asked = [path, ...neededBy.map((name) => path.replace(/[^/]*$/, name))];
-  const needed = asked.flatMap((each) => bodySchema(openapi, each, words).schema["x-needs"] ?? []).map((pointer) => pointer.slice(1).replaceAll("/", "."));
+  const pathOf = (view) => path.replace(/[^/]*$/, view);
+  const needed = [path, ...neededBy.map(pathOf)].flatMap((each) => bodySchema(openapi, each, words).schema["x-needs"] ?? []).map((pointer) => pointer.slice(1).replaceAll("/", "."));
   for (const field of items.flatMap(fieldsOf)) field.required ||= needed.includes(field.path) || Boolean(suggestions[field.path]?.needs);
-  const besides = wanted.map((group) => wantedGroup(openapi, group, words))
+  const besides = wanted.map(({ view, ...group }) => wantedGroup(openapi, { path: view ? pathOf(view) : path, ...group }, words))
     .map((group) => (diameters ? { ...group, items: group.items.map((item) => asDiameter(item, diameters)) } : group));
   const every = [...items, ...besides.flatMap((group) => group.items)];
   const fields = new Map(every.flatMap(fieldsOf).map((field) => [field.path, field]));
@@ -214,16 +214,15 @@ function allowedBy(pattern) {
 }
 
 /**
- * A group that is off until wanted: its switch, and fields of the bodies of endpoints of its own, by their paths.
+ * A group that is off until wanted: its switch, and fields of the body of the calculator's endpoint, or of a `view` beside that, by their paths.
  * What is said of a field stands above its schema, or that of the field that it is `like`: `when`, `words` (name and group of its title), `options` besides those
- * of the schema, `needs` (another group that has to be on), `empty` (what an empty box says), `follows` (the list that stands for an empty one, from the other boxes), `rows` and `columns` of a list of records that the body has as lists, own values that are left out (`without`). A group is `judged` where the verdict
- * hangs on it too, and off while one is that it `needs`.
+ * of the schema, `needs` (another group that has to be on), `empty` (what an empty box says), `follows` (the list that stands for an empty one, from the other boxes), `rows` and `columns` of a list of records that the body has as lists, own values that are left out (`without`). A group is not `judged` where the verdict
+ * does not hang on it, and off while one is that it `needs`.
  */
-function wantedGroup(openapi, { id, paths, fields, needs, judged = false }, words) {
-  const bodies = paths.map((path) => bodySchema(openapi, path, words));
-  const [{ resolve }] = bodies;
+function wantedGroup(openapi, { id, path, fields, needs, judged = true }, words) {
+  const { schema, resolve } = bodySchema(openapi, path, words);
   const made = (at, { words: [name, group] = [], like = at, ...own }) => {
-    let part = bodies.map(({ schema }) => partAt(schema, like, resolve)).find(Boolean) ?? {};
+    let part = partAt(schema, like, resolve) ?? {};
     while (part.type === "array" && own.leaf) part = { ...part, ...resolve(part.items) };
     const { default: preset = part.default, required = false, options = [], ...rest } = own;
     const field = fieldOf({ ...part, default: preset, "x-group": group ?? part["x-group"] }, at, required, resolve);
@@ -240,7 +239,7 @@ function wantedGroup(openapi, { id, paths, fields, needs, judged = false }, word
   };
   /** A name of a table or values of its own, else one field. */
   const item = (at, { without = [], ...own }) => {
-    const raw = bodies.map(({ schema }) => rawAt(schema, at, resolve)).find(Boolean);
+    const raw = rawAt(schema, at, resolve);
     const choice = raw && namedOrOwn(resolve(raw), at, false, resolve);
     if (!choice) return { ...made(at, own), wanted: id };
     return { ...choice, options: choice.options.map((option) => ({

@@ -120,9 +120,8 @@ test("a noun agrees with its number", async () => {
 test("every option of every form has its words, or is a designation", async () => {
   const designation = /^$|^[A-Za-z]{0,3}\d+(\/[a-z]*\d+)?(E|-XL)?$/; // of a fit, a class, a bearing
   for (const id of CALCULATORS) {
-    const { catalogues = {}, wanted, path, ...own } = await calculatorOf(id);
-    const at = (one) => `/api/v1${one}`;
-    const model = formModel(openapi, { ...own, path: at(path), wanted: wanted?.map((group) => ({ ...group, paths: group.paths.map(at) })) });
+    const { catalogues = {}, path, ...own } = await calculatorOf(id);
+    const model = formModel(openapi, { ...own, path: `/api/v1${path}` });
     const fields = [...model.fields.values()].flatMap((field) => [field, ...field.columns ?? []]);
     const options = fields.filter((field) => ["option", "flag"].includes(field.kind) && !(field.path in catalogues))
       .flatMap((field) => field.options.map((option) => [option, field.path]));

@@ -39,7 +39,8 @@ const SERVICE = {
 
 const GROUP = {
   id: "real",
-  paths: ["/api/v1/real"],
+  view: "real",
+  judged: false,
   starts: () => ({ tolerance: 0.5 }),
   fields: {
     law: {},
@@ -163,7 +164,7 @@ test("switched on, it starts from values, goes apart into the input, and into li
 });
 
 test("a group goes off with the one that it needs, and comes back with it where it was on", () => {
-  const plain = { paths: GROUP.paths };
+  const plain = { view: GROUP.view };
   const wanted = [{ ...plain, id: "real", fields: {} }, { ...plain, id: "crank", needs: "real", fields: { stiffness_N_per_mm: {} } }];
   const model = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted, words: ownWords });
   const about = { model, calculator: { wanted, drawing: {} } };
@@ -198,7 +199,7 @@ test("what belongs to a box that goes goes with it, and comes back as it was typ
 
 test("a field that needs another group goes with that, too", () => {
   const fields = { ...GROUP.fields, tolerance: { when: ["law", "linear"], needs: "bearings" } };
-  const wanted = [{ ...GROUP, fields }, { id: "bearings", paths: GROUP.paths, fields: {} }];
+  const wanted = [{ ...GROUP, fields }, { id: "bearings", fields: {} }];
   const model = formModel(SERVICE, { path: "/api/v1/job", groups: ["mechanism", "contact"], hidden: ["mechanism.include"], wanted, words: ownWords });
   const { texts, chosen } = stateFromInput(model, INPUT);
   const shown = (on) => shownFields(model, { texts: { ...texts, "real.on": "on", law: "linear", "bearings.on": on }, chosen }).map(({ path }) => path);

@@ -185,10 +185,7 @@ export default {
     ],
     more: ["load.force_exponent", "contact.distribution_factor", "contact.distribution_of", "mechanism.initial_crank_angle_deg", "mechanism.revolutions", "mechanism.output", "load.ring_speed_rpm", "load.carrier_speed_rpm"],
   },
-  hidden: [
-    ...WANTED.flatMap(({ fields }) => Object.keys(fields)), // asked where they are wanted
-    "contact.dynamic_factor", "load.include", "load.samples", "include", "fixes_for", "crank_angle_deg",
-  ],
+  hidden: ["contact.dynamic_factor", "load.include", "load.samples", "include", "fixes_for", "crank_angle_deg"],
   moved: { "load.application_factor": "contact.dynamic_factor" },
   choices: {
     cranks: { spacing: ["mechanism.crank_spacing_deg"], list: ["mechanism.crank_angles_deg"] },

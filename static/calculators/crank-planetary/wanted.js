@@ -1,5 +1,5 @@
 /**
- * The groups of the crank-planetary form that are off until wanted: their fields, by the paths of the bodies that they
+ * The groups of the crank-planetary form that are off until wanted: their fields, by the paths of the body that they
  * ask with, and the page's own. What they ask and say is in modules of their own, loaded when they are switched on.
  */
 import { judgedOf } from "../../lib/checks.js";
@@ -259,8 +259,6 @@ function starts({ contact }) {
   };
 }
 
-const WHOLE = ["/crank-planetary"];
-
 const PLASTIC_GPA = 20; // below it a modulus is that of a plastic
 
 /** Whether pins or holes are of plastic, whose friction has no usual value. */
@@ -275,51 +273,43 @@ function hasPlastic({ contact = {} }, materialOf) {
 export const WANTED = [
   {
     id: "real",
-    paths: ["/load-sharing"],
+    view: "load-sharing",
     fields: REAL,
-    judged: true,
     load: () => Promise.all([import("./real.js"), import("../../views/real.js")]),
   },
   {
     id: "study",
-    paths: ["/tolerance-study"],
+    view: "tolerance-study",
     fields: STUDY,
+    judged: false,
     starts,
     load: () => Promise.all([import("./study.js"), import("../../views/study.js")]),
   },
   {
     id: "strength",
     section: "pin_strength",
-    paths: WHOLE,
     fields: STRENGTH,
-    judged: true,
     starts: () => ({ "fatigue.reliability_percent": 99 }),
     load: () => Promise.all([import("./strength.js"), import("../../views/part.js")]),
   },
   {
     id: "rolling",
     section: "rollers",
-    paths: WHOLE,
     fields: ROLLING,
-    judged: true,
     starts: () => ({ "load.input_speed_rpm": USUAL_RPM }),
     load: () => Promise.all([import("./pin_rollers.js"), import("../../views/part.js")]),
   },
   {
     id: "losses",
     section: "output_efficiency",
-    paths: WHOLE,
     fields: LOSSES,
-    judged: true,
     starts: (input, materialOf) => ({ "friction.coefficient": hasPlastic(input, materialOf) ? undefined : 0.08, "load.input_speed_rpm": USUAL_RPM }),
     load: () => Promise.all([import("./losses.js"), import("../../views/part.js")]),
   },
   {
     id: "bearings",
     section: "satellite_bearing",
-    paths: WHOLE,
     fields: BEARINGS,
-    judged: true,
     starts: (input) => ({ ...ringOf(input), "load.input_speed_rpm": USUAL_RPM }),
     load: () => Promise.all([import("./bearings.js"), import("../../views/part.js")]),
   },
@@ -328,9 +318,7 @@ export const WANTED = [
     section: "ring_mesh",
     needs: "bearings",
     applies: ({ besides: { gear } = {} }) => Boolean(gear?.modification && !gear.every_second_pin) || shifted(gear),
-    paths: WHOLE,
     fields: TEETH,
-    judged: true,
     starts(input) {
       const found = ringOf(input);
       if (input.besides?.gear?.kind === "involute" && input.besides.gear.module_mm) return teethTo(input, found);
@@ -342,9 +330,7 @@ export const WANTED = [
     id: "crank",
     section: "crankshaft",
     needs: "bearings",
-    paths: WHOLE,
     fields: CRANK,
-    judged: true,
     load: () => Promise.all([import("./crank.js"), import("../../views/part.js")]),
   },
 ];

@@ -90,7 +90,7 @@ export default {
   groups: ["gear", "rollers", "load", "shaft", "requirements"],
   inline: ["wheel", "requirements"],
   requirements: ["bending_safety", "max_deflection_mm", "max_slope_mrad"],
-  hidden: ["include", "fixes_for", ...TIRED, "line_contact"],
+  hidden: ["include", "fixes_for", "line_contact"],
   catalogues: Object.fromEntries(["line_contact.roller_material", "line_contact.mating_material"]
     .flatMap((path) => [[path, "materials"], [`${path}.name`, "materials"]])),
   choices: {
@@ -189,12 +189,10 @@ export default {
   ],
 
   wanted: [
-    enduranceOf(PATH, ["notch_factor", "notch", "endurance_limit"], { tensile_strength_MPa: {}, load_rotates_with_shaft: {} }),
+    enduranceOf({ tensile_strength_MPa: {}, load_rotates_with_shaft: {} }),
     {
       id: "lines",
-      paths: [PATH],
       fields: LINES,
-      judged: true,
       starts: () => ({ "line_contact.roller_material": "steel_bearing", "line_contact.mating_material": "steel_case_hardened" }),
     },
   ],

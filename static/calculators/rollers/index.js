@@ -44,7 +44,7 @@ export default {
   groups: ["load", "roller", "material", "requirements"],
   inline: ["requirements"],
   requirements: ["bending_safety"],
-  hidden: ["include", "fixes_for", ...TIRED],
+  hidden: ["include", "fixes_for"],
   choices: {
     errors: { tolerance: ["position_tolerance_mm"], gaps: ["gaps_mm"] },
     shear: { poisson: ["poissons_ratio"], modulus: ["shear_modulus_GPa"] },
@@ -93,7 +93,7 @@ export default {
     },
   ],
 
-  wanted: [enduranceOf(PATH, ["notch_factor", "notch", "endurance_limit"], { tensile_strength_MPa: {}, roller_rotates: {} })],
+  wanted: [enduranceOf({ tensile_strength_MPa: {}, roller_rotates: {} })],
   sentences,
   notes: ["ovsyannikov"],
 };
