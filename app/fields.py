@@ -15,6 +15,7 @@ from typing import (
     Annotated,
     Any,
     ClassVar,
+    Literal,
     NamedTuple,
     TypeVar,
     cast,
@@ -41,7 +42,7 @@ from app.rules import Rule
 from app.units import Convert, from_si
 from core.design.stated import filled as filled_by_core
 from core.design.stated import section as section_of
-from core.fields import Input, help_of
+from core.fields import Input, Variants, help_of
 
 Request = TypeVar("Request", bound=RequestModel)
 
@@ -89,7 +90,7 @@ class SectionFields(RequestModel):
     ) -> None:
         if of is not None:
             kinds = [*of.values()] if isinstance(of, Mapping) else [of]
-            chosen: dict[str, RequestField] = {}
+            chosen = {"kind": _kind_field(of)} if isinstance(of, Variants) else {}
             for each in chain.from_iterable(map(request_fields, kinds)):
                 if each.core not in without and (not only or each.core in only):
                     chosen.setdefault(each.core, each)
@@ -168,6 +169,13 @@ def _of_kind(kind: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Needed and optional fields of a dataclass, in names of JSON."""
     needed = tuple(each.name for each in request_fields(kind) if each.needed)
     return needed, tuple(each.name for each in request_fields(kind) if not each.needed)
+
+
+def _kind_field(of: Variants) -> RequestField:
+    """Field of the kind of a section."""
+    named: Any = tuple(name for name in of if name)
+    about = Input(title=of.title, symbol="", unit="", limits={})
+    return RequestField("kind", "kind", about, Literal[named], of.default, False, of.help)
 
 
 def _give_fields(

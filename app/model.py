@@ -297,10 +297,7 @@ class RequestModel(BaseModel):
     def to_core(self) -> dict[str, Any]:
         """Given fields as the core's arguments, in SI units."""
         plan = _core_plan(type(self))
-        return {
-            plan[name].core: within(plan[name].core, partial(plan[name].convert, value))
-            for name, value in self.given.items()
-        }
+        return {plan[name].core: plan[name].convert(value) for name, value in self.given.items()}
 
     @property
     def not_used(self) -> list[str]:
@@ -356,8 +353,9 @@ def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
     plan = {}
     for name, field in model.model_fields.items():
         part = any(hasattr(held, "section") for held in _held(field.annotation))
-        convert = model.CONVERTERS.get(name) or (_section if part else to_si_converter(name))
-        plan[name] = _InCore(core_name(name), convert)
+        made = model.CONVERTERS.get(name) or (_section if part else None)
+        core = core_name(name)
+        plan[name] = _InCore(core, _within(core, made) if made else to_si_converter(name))
     return plan
 
 
@@ -365,6 +363,11 @@ def _core_plan(model: type[RequestModel]) -> dict[str, _InCore]:
 def core_names(model: type[RequestModel]) -> dict[str, str]:
     """Names in core of the fields of a request."""
     return {name: each.core for name, each in _core_plan(model).items()}
+
+
+def _within(core: str, make: Convert) -> Convert:
+    """Conversion to a part of core, whose refusals name its place."""
+    return lambda value: within(core, partial(make, value))
 
 
 def _section(part: Any) -> Any:

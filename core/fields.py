@@ -155,6 +155,16 @@ def quantities_of(kind: Any) -> Collection[Quantity]:
     return found.values()
 
 
+class Variants(dict[Any, Any]):
+    """Dataclasses of a section by its kind, where None stands for none, with the field `kind`."""
+
+    def __init__(
+        self, kinds: Mapping[Any, Any], *, title: str, help: str, default: str | None = None
+    ) -> None:
+        super().__init__(kinds)
+        self.title, self.help, self.default = title, help, default
+
+
 def help_of(kind: type) -> dict[str, str]:
     """Texts below the fields of a dataclass and of those that it extends, in one line each."""
     own: dict[str, str] = {}

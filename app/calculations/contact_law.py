@@ -16,13 +16,6 @@ class ContactLawFields(SectionFields, of=LAWS, group="contact_law"):
     If it is not given, the conformal law holds with a body below 20 GPa, else Hertz's law.
     """
 
-    kind: Maybe[Literal["hertz", "conformal", "palmgren", "linear", "power"]] = quantity(
-        "Law of contact"
-    )
-    """Hertz: line contact with a logarithmic approach; conformal: the hole wraps around the pin,
-    and its approach is counted to a depth of three hole radii; Palmgren: steel rollers; linear;
-    power. The default is conformal if a body is softer than 20 GPa, else Hertz."""
-
 
 class MeshLawFields(
     SectionFields,

@@ -47,6 +47,7 @@ from app.calculations.usual_fit_answer import UsualFitOut, UsualModificationOut
 from app.model import (
     Angle,
     Maybe,
+    ResponseModel,
     Values,
     notices_of,
     present,
@@ -71,7 +72,7 @@ from core.checks.usual_modification import (
 from core.design.crank_results import MOST_BEARING_PAIRS
 from core.design.drawings import pins_in_holes, ring_drawing
 from core.design.real_forces import RealForces
-from core.design.results import MOST_IN_SERIES, MOST_PIN_PAIRS
+from core.design.results import MOST_IN_SERIES, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError, Notice, if_known, is_known
 from core.fixes.crank import possible
 from core.fixes.fix import Fix
@@ -389,6 +390,10 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
         return self.results.turn(solved.way * solved.torque)
 
 
+Answer = Callable[[CrankPlanetaryRequest], Values | None]
+"""Function that answers a section; None if there is no answer."""
+
+
 def _cyclogram(body: CrankPlanetaryRequest) -> Values:
     pattern = timed(lambda: body.mechanism.solve_for(body.design.driven))
     return CyclogramResponse.values(*pattern)
@@ -472,29 +477,13 @@ def _drawing(body: CrankPlanetaryRequest) -> Values | None:
     return RingDrawingOut.values(drawn) if drawn else None
 
 
-def _pin_strength(body: CrankPlanetaryRequest) -> Values:
-    found, took_us = timed(lambda: body.results.pin_strength)
-    return PinStrengthResponse.values(found, took_us, forces=body.forces)
+def _by_forces(answer: type[ResponseModel], found: Callable[[Results], Any]) -> Answer:
+    """Answer of a section that follows from the forces on the pins."""
 
+    def answered(body: CrankPlanetaryRequest) -> Values:
+        return answer.values(*timed(partial(found, body.results)), forces=body.forces)
 
-def _output_efficiency(body: CrankPlanetaryRequest) -> Values:
-    found, took_us = timed(lambda: body.results.losses.pins)
-    return OutputEfficiencyResponse.values((found, None), took_us, forces=body.forces)
-
-
-def _satellite_bearing(body: CrankPlanetaryRequest) -> Values:
-    found, took_us = timed(lambda: body.results.crank.bearings)
-    return SatelliteBearingResponse.values(found, took_us, forces=body.forces)
-
-
-def _crankshaft(body: CrankPlanetaryRequest) -> Values:
-    found, took_us = timed(lambda: body.results.crank.shaft)
-    return CrankshaftResponse.values(found, took_us, forces=body.forces)
-
-
-def _rollers(body: CrankPlanetaryRequest) -> Values:
-    found, took_us = timed(lambda: body.results.rollers)
-    return RollersOut.values(found, took_us, forces=body.forces)
+    return answered
 
 
 def _geometry(body: CrankPlanetaryRequest) -> Values:
@@ -514,7 +503,7 @@ def _usual_modification(body: CrankPlanetaryRequest) -> Values | None:
     return UsualModificationOut.of(found, largest=body.asks_largest) if found else None
 
 
-ANSWERS: dict[Section, Callable[[CrankPlanetaryRequest], Values | None]] = {
+ANSWERS: dict[Section, Answer] = {
     "cyclogram": _cyclogram,
     "members": _members,
     "contact_force": _contact_force,
@@ -523,17 +512,18 @@ ANSWERS: dict[Section, Callable[[CrankPlanetaryRequest], Values | None]] = {
     "hertz": _hertz,
     "ring_mesh": _ring_mesh,
     "ring_drawing": _drawing,
-    "pin_strength": _pin_strength,
-    "output_efficiency": _output_efficiency,
-    "satellite_bearing": _satellite_bearing,
-    "crankshaft": _crankshaft,
-    "rollers": _rollers,
+    "pin_strength": _by_forces(PinStrengthResponse, lambda found: found.pin_strength),
+    "output_efficiency": _by_forces(
+        OutputEfficiencyResponse, lambda found: (found.losses.pins, None)
+    ),
+    "satellite_bearing": _by_forces(SatelliteBearingResponse, lambda found: found.crank.bearings),
+    "crankshaft": _by_forces(CrankshaftResponse, lambda found: found.crank.shaft),
+    "rollers": _by_forces(RollersOut, lambda found: found.rollers),
     "geometry": _geometry,
     "usual_fit": _usual_fit,
     "usual_modification": _usual_modification,
 }
-"""Functions that answer each section, in the order of the answer; None if there is no answer.
-Checks and fixes belong to the verdict."""
+"""Answers of the sections, in their order; checks and fixes belong to the verdict."""
 
 
 def _judged(body: CrankPlanetaryRequest) -> Values:

@@ -4,8 +4,7 @@ from collections.abc import Iterator
 from typing import Any, ClassVar
 
 from app.fields import SectionFields
-from app.model import Maybe, quantity
-from core.design.ring import RINGS, RingKind
+from core.design.ring import RINGS
 
 OF_SUPPORTS = ("span_mm", "satellite_positions_mm")
 """Fields of ring pins that bend."""
@@ -24,10 +23,6 @@ class RingFields(SectionFields, of=RINGS, group="gear"):
             "else": {"not": {"anyOf": [{"required": [name]} for name in OF_SUPPORTS]}},
         },
     )
-
-    kind: Maybe[RingKind] = quantity("Ring")
-    """Kind of ring: involute teeth, pins on which a cycloid disc rolls, or none, whose force along
-    the crank is left out."""
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Assumed values, with the material of the ring if its mesh is judged."""

@@ -1,13 +1,12 @@
 """Sections of the design document in a request: load, deviations, supports, friction, bearings."""
 
 from collections.abc import Iterator
-from typing import Any, Literal
+from typing import Any
 
 from app.calculations.hertz import of_load_factor
 from app.calculations.ideal_forces import LoadFields
 from app.calculations.named_bearing import NamedBearingFields
 from app.fields import SectionFields
-from app.model import quantity
 from core.design.sections import (
     CatalogueBearing,
     Friction,
@@ -30,13 +29,6 @@ class CrankSupportFields(SectionFields, of=CrankSupport, group="crank_support"):
 
 class SatelliteCouplingFields(SectionFields, of=COUPLINGS, group="satellite_coupling"):
     """Sharing of the torque between the satellites."""
-
-    kind: Literal["rigid", "elastic", "shares", "ring"] = quantity(
-        "Coupling of the satellites", default="rigid"
-    )
-    """Rigid: all satellites turn as one; elastic: each satellite gives in its mesh with the ring;
-    shares: each satellite carries a given share; ring: each satellite finds its place between the
-    ring of `gear` and the pins, so that both meshes are in series."""
 
 
 class DeviationsFields(SectionFields, of=Deviations, group="deviations"):

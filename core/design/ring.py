@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Literal
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
 from core.design.sections import DesignPin
 from core.errors import InvalidInput, Notice, NotKnown, required
-from core.fields import SMALLEST, Forms, optional_size, quantity, size
+from core.fields import SMALLEST, Forms, Variants, optional_size, quantity, size
 from core.hertz import ElasticMaterial
 from core.output.elasticity import RIGID_PINS, ContactLaw, HertzLaw
 from core.output.mechanism import MAX_SATELLITES
@@ -470,10 +470,10 @@ class InvoluteRing(ToothedRing):
 Ring = InvoluteRing | CycloidRing | OtherRing
 """Ring with involute teeth, with pins, or described by the ratio of its forces alone."""
 
-RINGS: dict[RingKind | None, type[Ring]] = {
-    "cycloid": CycloidRing,
-    "involute": InvoluteRing,
-    "none": OtherRing,
-    None: OtherRing,
-}
+RINGS = Variants(
+    {"involute": InvoluteRing, "cycloid": CycloidRing, "none": OtherRing, None: OtherRing},
+    title="Ring",
+    help="Kind of ring: involute teeth, pins on which a cycloid disc rolls, or none, whose force "
+    "along the crank is left out.",
+)
 """Rings by their kind in the document; None for a ring given by the ratio of its forces."""

@@ -29,6 +29,7 @@ from core.design.sections import (
 )
 from core.design.tolerances import ToleranceSection
 from core.errors import InvalidInput, NotKnown, required, within
+from core.fields import Variants
 from core.hertz import ElasticMaterial
 from core.material_table import MATERIALS
 from core.materials import in_bending
@@ -272,8 +273,8 @@ def _of_design(name: str, stated: Mapping[str, Values]) -> Any:
     difference = teeth_difference(stated["mechanism"])
     if name == "gear" and difference is not None:
         own["teeth_difference"] = difference
-    if isinstance(kind, Mapping):
-        kind = kind[own.get("kind", "rigid" if name == "satellite_coupling" else None)]
+    if isinstance(kind, Variants):
+        kind = kind[own.get("kind", kind.default)]
     return within(name, partial(section, kind=kind, stated=own))
 
 

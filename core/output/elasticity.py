@@ -24,7 +24,7 @@ from core.arrays import FloatArray, Number, check_count, check_positive, larger,
 from core.drive.engine import CONFORMAL, HERTZ, HERTZ_END, LINEAR, POWER
 from core.drive.model import Bending
 from core.errors import InvalidInput
-from core.fields import LARGEST, optional_size, quantity, size
+from core.fields import LARGEST, Variants, optional_size, quantity, size
 from core.hertz import ElasticMaterial, effective_modulus
 from core.materials import SOFT
 from core.output.conformal_law import NO_CURVE, Curve, approach_over_load, conformal_curve, end
@@ -95,14 +95,20 @@ class ConformalLaw:
 
 ContactLaw = LinearLaw | PowerLaw | PalmgrenLaw | HertzLaw | ConformalLaw
 
-LAWS: dict[str | None, type[ContactLaw]] = {
-    None: HertzLaw,
-    "hertz": HertzLaw,
-    "conformal": ConformalLaw,
-    "palmgren": PalmgrenLaw,
-    "linear": LinearLaw,
-    "power": PowerLaw,
-}
+LAWS = Variants(
+    {
+        None: HertzLaw,
+        "hertz": HertzLaw,
+        "conformal": ConformalLaw,
+        "palmgren": PalmgrenLaw,
+        "linear": LinearLaw,
+        "power": PowerLaw,
+    },
+    title="Law of contact",
+    help="Hertz: line contact with a logarithmic approach; conformal: the hole wraps around the "
+    "pin, and its approach is counted to a depth of three hole radii; Palmgren: steel rollers; "
+    "linear; power. The default is conformal if a body is softer than 20 GPa, else Hertz.",
+)
 """Contact laws by their kind in the document."""
 
 
@@ -593,12 +599,14 @@ class RingInSeries(SatelliteSupport):
     """
 
 
-COUPLINGS: dict[str, type[SatelliteSupport]] = {
-    "rigid": SatelliteSupport,
-    "elastic": ElasticMesh,
-    "shares": Shares,
-    "ring": RingInSeries,
-}
+COUPLINGS = Variants(
+    {"rigid": SatelliteSupport, "elastic": ElasticMesh, "shares": Shares, "ring": RingInSeries},
+    title="Coupling of the satellites",
+    help="Rigid: all satellites turn as one; elastic: each satellite gives in its mesh with the "
+    "ring; shares: each satellite carries a given share; ring: each satellite finds its place "
+    "between the ring of `gear` and the pins, so that both meshes are in series.",
+    default="rigid",
+)
 """Sharing of the torque between the satellites, by its kind in the document."""
 
 

@@ -85,9 +85,9 @@ async def test_only_what_is_asked_is_in_the_answer(api):
 @pytest.mark.parametrize(
     ("asked", "not_run"),
     [
-        (["cyclogram"], ["ideal_forces.contact_force", "crank_planetary_sections.pin_geometry"]),
-        (["contact_force"], ["ideal_forces.cyclogram", "crank_planetary_sections.pin_geometry"]),
-        (["hertz"], ["ideal_forces.cyclogram", "crank_planetary_sections.pin_geometry"]),
+        (["cyclogram"], ["ideal_forces.contact_force", "crank_planetary_sections.pins_in_holes"]),
+        (["contact_force"], ["ideal_forces.cyclogram", "crank_planetary_sections.pins_in_holes"]),
+        (["hertz"], ["ideal_forces.cyclogram", "crank_planetary_sections.pins_in_holes"]),
         (["geometry"], ["ideal_forces.cyclogram", "ideal_forces.contact_force"]),
     ],
 )

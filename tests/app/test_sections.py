@@ -7,12 +7,12 @@ import pytest
 from pydantic import TypeAdapter
 
 from app.calculations.checks import ScopedRequirementsFields
-from app.calculations.crank_planetary import WORKED
 from app.calculations.crank_planetary_answer import CrankPlanetaryResponse
 from app.calculations.crank_planetary_sections import (
     ANSWERS,
     NEEDS_OF,
     SECTIONS,
+    WORKED,
     CrankPlanetaryRequest,
 )
 from app.calculations.document import DocumentFields
