@@ -278,9 +278,7 @@ class FatigueStrength:
     notices: tuple[Notice, ...] = ()  # formulas of the limit used outside their ranges
 
     def __post_init__(self) -> None:
-        for name in ("endurance_limit", "tensile_strength"):
-            if not getattr(self, name) > 0:
-                raise InvalidInput(name, getattr(self, name), "greater_than", limit=0)
+        check_positive(endurance_limit=self.endurance_limit, tensile_strength=self.tensile_strength)
         if self.criterion == "soderberg" and self.yield_strength is None:
             raise InvalidInput("yield_strength", None, "needed", field="criterion")
 

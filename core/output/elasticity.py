@@ -265,8 +265,7 @@ def pin_flexibility(pin: PinSupport) -> FloatArray:
     span = math.inf if pin.support == "cantilever" else pin.known_span
     for index, z in enumerate(pin.satellite_positions):
         name = f"satellite_positions[{index}]"
-        if not z > 0:
-            raise InvalidInput(name, z, "greater_than", limit=0)
+        check_positive(**{name: z})
         if not z < span:
             raise InvalidInput(name, z, "smaller_than", field="span", limit=span)
     places = np.array(pin.satellite_positions)

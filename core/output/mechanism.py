@@ -30,7 +30,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from core.arrays import FloatArray, Number, check_positive, check_single
+from core.arrays import FloatArray, Number, check_finite, check_positive, check_single
 from core.errors import Accuracy, InvalidInput, Notice, required
 from core.fields import answer, answered
 from core.precision import AS_TYPED, ROUNDING, SAME
@@ -57,13 +57,9 @@ class Mechanism:
             raise InvalidInput("pins", self.pins, "greater_than_equal", limit=1)
         if not self.crank_angles:
             raise InvalidInput("satellites", 0, "greater_than_equal", limit=1)
-        if not self.ratio > 0:
-            raise InvalidInput("ratio", self.ratio, "greater_than", limit=0)
-        for index, angle in enumerate(self.crank_angles):
-            if not math.isfinite(angle):
-                raise InvalidInput(f"crank_angles[{index}]", angle, "finite_number")
-        if not math.isfinite(self.initial_crank_angle):
-            raise InvalidInput("initial_crank_angle", self.initial_crank_angle, "finite_number")
+        check_positive(ratio=self.ratio)
+        check_finite(**{f"crank_angles[{i}]": angle for i, angle in enumerate(self.crank_angles)})
+        check_finite(initial_crank_angle=self.initial_crank_angle)
 
     @classmethod
     def evenly_spaced(
@@ -720,8 +716,7 @@ def pin_geometry(
     >>> g.contact_points[0, 0].round(9).tolist(), g.clearance
     ([0.0, 0.044], 0.0)
     """
-    if not math.isfinite(crank_angle):
-        raise InvalidInput("crank_angle", crank_angle, "finite_number")
+    check_finite(crank_angle=crank_angle)
     fit = pin_fit(
         pins=mechanism.pins,
         pin_radius=pin_radius,

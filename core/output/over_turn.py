@@ -14,6 +14,7 @@ from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
 
+from core.arrays import check_positive
 from core.drive.engine import HIGH, INPUT_TORQUE, LAG, LOST, PLAY, STIFFNESS
 from core.errors import Accuracy, InvalidInput, Notice, derived, poorly_known
 from core.fields import answered
@@ -62,8 +63,7 @@ class OverTurn:
     def of(cls, real: Stage, output_torque: float, lost_motion_share: float) -> Self:
         """Extremes of a stage under a torque; positions that cannot be are refused here."""
         check_torque(output_torque, lost_motion_share=lost_motion_share)
-        if not lost_motion_share > 0:
-            raise InvalidInput("lost_motion_share", lost_motion_share, "greater_than", limit=0)
+        check_positive(lost_motion_share=lost_motion_share)
         if not lost_motion_share <= 1:
             raise InvalidInput("lost_motion_share", lost_motion_share, "less_than_equal", limit=1)
         found = cls(cls.TURN(real, output_torque, lost_motion_share))

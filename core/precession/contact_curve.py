@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core.arrays import FloatArray, check_positive
+from core.arrays import FloatArray, check_finite, check_positive
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.numerics.quadrature import NODES, WEIGHTS, resolves_complex_poles, resolves_real_pole
 from core.precision import ROUNDING
@@ -179,13 +179,10 @@ def axial_scale(
     cos(theta) = u12. The difference uses ``-2*sin(theta/2)^2`` for cos(theta) - 1, which keeps the
     digits of small angles. A whole number as the ratio counts as exact.
     """
-    if not roller_circle_radius > 0:
-        raise InvalidInput("roller_circle_radius", roller_circle_radius, "greater_than", limit=0)
-    check_positive(nutation_angle=nutation_angle)
+    check_positive(roller_circle_radius=roller_circle_radius, nutation_angle=nutation_angle)
     if not nutation_angle < math.pi / 2:
         raise InvalidInput("nutation_angle", nutation_angle, "right_angle")
-    if not math.isfinite(ratio_u12):
-        raise InvalidInput("ratio_u12", ratio_u12, "finite_number")
+    check_finite(ratio_u12=ratio_u12)
     versine = 2 * math.sin(nutation_angle / 2) ** 2
     difference = (1 - ratio_u12) - versine
     exact = ratio_u12.is_integer()

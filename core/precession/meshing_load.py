@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.arrays import FloatArray, Vector
+from core.arrays import FloatArray, Vector, check_finite
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known
 from core.fields import answer
 from core.precession.contact_line import ContactLine, contact_lines
@@ -79,8 +79,7 @@ def meshing_load(
     """
     if not (torque != 0 and math.isfinite(torque)):
         raise InvalidInput("torque", torque, "not_zero")
-    if not math.isfinite(reference_z):
-        raise InvalidInput("reference_z", reference_z, "finite_number")
+    check_finite(reference_z=reference_z)
     contacts = contact_lines(
         roller_circle_radius=roller_circle_radius,
         roller_radius=roller_radius,

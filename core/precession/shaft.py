@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core.arrays import FloatArray, Vector
+from core.arrays import FloatArray, Vector, check_positive
 from core.errors import InvalidInput
 from core.precision import ROUNDING
 
@@ -51,8 +51,7 @@ def bearing_reactions(
     Khatetovsky et al. 2020, eqs (28)-(31). Erratum: the paper solves (28) as ``C_x = F_x - B_x``,
     with which the forces in x do not add up to zero.
     """
-    if not bearing_distance > 0:
-        raise InvalidInput("bearing_distance", bearing_distance, "greater_than", limit=0)
+    check_positive(bearing_distance=bearing_distance)
     b = (-moment[1] / bearing_distance, moment[0] / bearing_distance)
     return b, (-force[0] - b[0], -force[1] - b[1])
 
@@ -65,16 +64,11 @@ def shaft_stretches(
     shaft_sections: Sequence[ShaftSection],
 ) -> list[ShaftSection]:
     """Sections of the shaft, checked: sizes are positive, lengths add up to a + b."""
-    for name, value in (("overhang", overhang), ("youngs_modulus", youngs_modulus)):
-        if not value > 0:
-            raise InvalidInput(name, value, "greater_than", limit=0)
+    check_positive(overhang=overhang, youngs_modulus=youngs_modulus)
     length = bearing_distance + overhang
     for index, section in enumerate(shaft_sections):
-        for name, value in (("length", section.length), ("diameter", section.diameter)):
-            if not value > 0:
-                raise InvalidInput(
-                    f"shaft_sections[{index}].{name}", value, "greater_than", limit=0
-                )
+        path = f"shaft_sections[{index}]"
+        check_positive(**{f"{path}.length": section.length, f"{path}.diameter": section.diameter})
     total = math.fsum(section.length for section in shaft_sections)
     if not abs(total - length) <= SAME_LENGTH * length:
         raise InvalidInput(

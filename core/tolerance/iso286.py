@@ -4,6 +4,7 @@ import re
 from bisect import bisect_left
 from dataclasses import dataclass
 
+from core.arrays import check_positive
 from core.errors import InvalidInput
 
 SIZES = (3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500)
@@ -68,8 +69,7 @@ def class_limits(*, size: float, tolerance_class: str) -> Limits:
     >>> class_limits(size=0.010, tolerance_class="m6")
     Limits(lower=6e-06, upper=1.5e-05)
     """
-    if not size > 0:
-        raise InvalidInput("size", size, "greater_than", limit=0)
+    check_positive(size=size)
     if not size <= 0.5:
         raise InvalidInput("size", size, "less_than_equal", limit=0.5)
     found = re.fullmatch(r"([A-Za-z]+)(\d+)", tolerance_class)
