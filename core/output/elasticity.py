@@ -259,9 +259,8 @@ def pin_flexibility(pin: PinSupport) -> FloatArray:
     check_bore(bore_diameter=pin.bore_diameter, diameter=pin.diameter)
     d, bore, ratio = pin.diameter, pin.bore_diameter, pin.material.poissons_ratio
     bending = pin.material.youngs_modulus * math.pi * (d**4 - bore**4) / 64
-    shear_modulus = pin.material.youngs_modulus / (2 * (1 + ratio))
     coefficient = pin.section.shear_coefficient(ratio)
-    shear = coefficient / (shear_modulus * math.pi * (d**2 - bore**2) / 4)
+    shear = coefficient / (pin.material.shear_modulus * math.pi * (d**2 - bore**2) / 4)
     span = math.inf if pin.support == "cantilever" else pin.known_span
     for index, z in enumerate(pin.satellite_positions):
         name = f"satellite_positions[{index}]"

@@ -372,18 +372,5 @@ def over_turn(
     The output torque, N*m, is not 0 and negative in reverse. The lost motion is taken under
     `lost_motion_share` of it, in (0, 1]. ImpossibleMechanism is raised if a position cannot be, see
     `Stage.solved`: on the even grid at once, between its places when a number is read.
-
-    >>> from core.output.elasticity import LinearLaw
-    >>> from core.output.mechanism import Mechanism
-    >>> from core.materials import ElasticMaterial
-    >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> real = RealMechanism(
-    ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
-    ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
-    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False,
-    ...     pin_material=steel, hole_material=steel)
-    >>> turn = over_turn(real=real, output_torque=30.0)
-    >>> round(turn.peak_force, 4), round(turn.backlash_max, 10), round(turn.backlash_min, 10)
-    (957.1068, 0.0021647844, 0.002)
     """
     return OverTurn.of(real, output_torque, lost_motion_share)

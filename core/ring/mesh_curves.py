@@ -62,23 +62,6 @@ class SeriesCurves:
 class MeshCurves(SeriesCurves):
     """Cycloid mesh of the ring alone over a turn, which has at least ``angles`` angles besides its
     end.
-
-    >>> from core.materials import ElasticMaterial
-    >>> from core.output.elasticity import LinearLaw
-    >>> from core.ring.profile import CycloidDisc, Modification
-    >>> from core.ring.sharing import CycloidMesh, mesh_over_turn
-    >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
-    ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005,
-    ...                    modification=Modification(equidistant=2e-5))
-    >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(1e8), pin_material=steel, disc_material=steel)
-    >>> turn = mesh_over_turn(mesh=mesh, output_torque=100.0)
-    >>> found = MeshCurves(turn, 20)
-    >>> found.force.shape, found.gap.shape, len(found.crank_angle)
-    ((1, 12, 25), (1, 12, 25), 25)
-    >>> bool(found.force.max() <= turn.peak_force)
-    True
     """
 
     def __init__(self, turn: MeshTurn, angles: int) -> None:

@@ -216,28 +216,6 @@ def series_position(
     output link, N*m, is not 0 and negative in reverse.
 
     With one disc the angular deflection is the sum of both stages.
-
-    >>> from core.materials import ElasticMaterial
-    >>> from core.output.elasticity import LinearLaw
-    >>> from core.output.loaded_position import loaded_position
-    >>> from core.ring.profile import CycloidDisc
-    >>> from core.ring.sharing import mesh_position
-    >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
-    ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3)
-    >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, exact=False,
-    ...                    law=LinearLaw(5e7), pin_material=steel, disc_material=steel)
-    >>> real = RealMechanism(
-    ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
-    ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
-    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7), exact=False,
-    ...     pin_material=steel, hole_material=steel)
-    >>> given = {"crank_angle": 0.3, "output_torque": 30.0}
-    >>> found = series_position(real=MeshesInSeries(ring, real), **given)
-    >>> alone = [mesh_position(mesh=ring, **given).rotation[0],
-    ...          loaded_position(real=real, **given).rotation]
-    >>> round(found.rotation/sum(alone), 12)
-    1.0
     """
     check_torque(output_torque, crank_angle=crank_angle)
     way, angle = math.copysign(1.0, output_torque), real.wave(crank_angle)

@@ -15,28 +15,6 @@ def sampled_in_series(turn: SeriesTurn) -> SampledTurn:
     on the output pins and of the ring need. Raises ImpossibleMechanism as `Stage.solved` does.
 
     In exact geometry the forces of ring and pins across the crank give the input torque.
-
-    >>> from core.materials import ElasticMaterial
-    >>> from core.output.elasticity import LinearLaw
-    >>> from core.output.mechanism import Mechanism
-    >>> from core.output.real_mechanism import RealMechanism
-    >>> from core.ring.profile import CycloidDisc
-    >>> from core.ring.series import MeshesInSeries
-    >>> from core.ring.sharing import CycloidMesh
-    >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
-    ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3)
-    >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(5e7), pin_material=steel, disc_material=steel)
-    >>> real = RealMechanism(
-    ...     mechanism=Mechanism.evenly_spaced(pins=8, satellites=1, ratio=18.0),
-    ...     pin_circle_radius=0.020, pin_radius=0.003, eccentricity=0.0015, contact_length=0.010,
-    ...     clearance=2e-5, law=LinearLaw(stiffness=5e7),
-    ...     pin_material=steel, hole_material=steel)
-    >>> found = sampled_in_series(SeriesTurn(MeshesInSeries(ring, real), 30.0))
-    >>> across = found.of_ring + found.on_satellites
-    >>> round(float(found.mean(across.imag)[0])*1.5e-3*18, 3)
-    30.0
     """
     output = turn.real.output
     rows = turn.close

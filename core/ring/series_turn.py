@@ -205,24 +205,5 @@ def series_over_turn(
 
     Raises ImpossibleMechanism if a position has no stable equilibrium, see `Stage.solved`.
     Arguments are those of `core.output.over_turn.over_turn`.
-
-    >>> from core.materials import ElasticMaterial
-    >>> from core.output.elasticity import LinearLaw
-    >>> from core.output.mechanism import Mechanism
-    >>> from core.output.real_mechanism import RealMechanism
-    >>> from core.ring.profile import CycloidDisc
-    >>> from core.ring.sharing import CycloidMesh
-    >>> disc = CycloidDisc(satellite_teeth=5, eccentricity=1e-3,
-    ...                    ring_pin_circle_radius=0.02, ring_pin_radius=2e-3)
-    >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> ring = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, exact=False,
-    ...                    law=LinearLaw(5e7), pin_material=steel, disc_material=steel)
-    >>> output = RealMechanism(mechanism=Mechanism(3, (0.0,), 5.0), pin_circle_radius=0.01,
-    ...                        pin_radius=2e-3, eccentricity=1e-3, contact_length=0.01,
-    ...                        law=LinearLaw(5e7), exact=False,
-    ...                        pin_material=steel, hole_material=steel)
-    >>> found = series_over_turn(real=MeshesInSeries(ring, output), output_torque=5.0)
-    >>> round(found.peak_force, 6), round(found.ring.peak_force, 4)
-    (624.616606, 686.7476)
     """
     return SeriesOverTurn.of(real, output_torque, lost_motion_share)

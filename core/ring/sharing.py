@@ -313,17 +313,6 @@ def mesh_gaps(
 ) -> tuple[tuple[float, ...], ...]:
     """Gaps of all pairs where the discs have given lags, m, K x z_p; negative if a pair presses.
     `rotation` has the lag of each disc, rad, negative in reverse; 0 by default.
-
-    >>> from core.output.elasticity import LinearLaw
-    >>> from core.ring.profile import Modification
-    >>> disc = CycloidDisc(satellite_teeth=11, eccentricity=2.5e-3,
-    ...                    ring_pin_circle_radius=0.05, ring_pin_radius=0.005,
-    ...                    modification=Modification(equidistant=2e-5))
-    >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01,
-    ...                    law=LinearLaw(1e8), pin_material=steel, disc_material=steel)
-    >>> {round(gap, 12) for row in mesh_gaps(mesh=mesh, crank_angle=0.3) for gap in row}
-    {2e-05}
     """
     check_single(crank_angle=crank_angle)
     lags = np.array([rotation or (0.0,) * len(mesh.crank_angles)], float)
@@ -504,17 +493,6 @@ def mesh_over_turn(
 
     Raises ImpossibleMechanism if a position has no stable equilibrium, see `Stage.solved`.
     Arguments are those of `core.output.over_turn.over_turn`; the torque is that of all discs.
-
-    >>> from core.output.elasticity import LinearLaw
-    >>> from core.ring.profile import Modification
-    >>> disc = CycloidDisc(satellite_teeth=18, eccentricity=1.5e-3,
-    ...                    ring_pin_circle_radius=0.034, ring_pin_radius=2.5e-3,
-    ...                    modification=Modification(equidistant=1e-5))
-    >>> steel = ElasticMaterial(210e9, 0.3)
-    >>> mesh = CycloidMesh(disc=disc, crank_angles=(0.0,), contact_length=0.01, exact=False,
-    ...                    law=LinearLaw(5e7), pin_material=steel, disc_material=steel)
-    >>> round(mesh_over_turn(mesh=mesh, output_torque=30.0).peak_force, 5)
-    333.54715
     """
     return MeshTurn.of(mesh, output_torque, lost_motion_share)
 
