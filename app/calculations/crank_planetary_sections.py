@@ -495,7 +495,7 @@ def _geometry(body: CrankPlanetaryRequest) -> Values:
 def _usual_fit(body: CrankPlanetaryRequest) -> Values | None:
     """Design with a usual clearance, if none is known or 0 is stated."""
     found = usual_clearance_too(design=body.design, ring=body.usual_ring)
-    return UsualFitOut.of(*found, largest=body.asks_largest) if found else None
+    return UsualFitOut.of(found, largest=body.asks_largest) if found else None
 
 
 def _usual_modification(body: CrankPlanetaryRequest) -> Values | None:

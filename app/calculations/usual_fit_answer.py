@@ -2,50 +2,35 @@
 
 from pydantic import Field
 
-from app.model import Maybe, ResponseModel, Values, present, result
+from app.model import Maybe, ResponseModel, Values, result
 from app.units import from_si
-from core.checks.check import Outcome, Verdict
-from core.checks.reserve import crank_verdict
+from core.checks.check import Outcome
+from core.checks.usual_fit import UsualFit, largest_torque
 from core.checks.usual_modification import UsualModification
-from core.design.real_forces import RealForces
-from core.design.results import Results
 from core.design.ring import RingClass
-from core.errors import if_known
 
 
-class UsualFitOut(ResponseModel):
+class UsualFitOut(ResponseModel, of=UsualFit):
     """Design with a usual clearance."""
 
     fit_class: str = Field(
         alias="class", description="Fit such as H7/f7; `printed` for holes softer than 20 GPa."
     )
-    hole_clearance_mm: float = result("Radial clearance.", symbol="c")
-    peak_force_N: Maybe[float] = result("Largest force of all pairs over the turn.", symbol="F_max")
     largest_torque_Nm: Maybe[float] = result(
         "Torque at which the first check fails, if requested and known."
     )
     verdict: Outcome = Field(description="Verdict of the design with the usual clearance.")
 
     @classmethod
-    def of(cls, name: str, results: Results, judged: Verdict, *, largest: bool) -> Values:
+    def of(cls, found: UsualFit, *, largest: bool) -> Values:
         """Values of the design with a fit."""
-        forces = if_known(lambda: results.judged_forces)
-        values: Values = {
-            "class": name,
-            "hole_clearance_mm": from_si("clearance_mm", results.design.clearance),
-            "peak_force_N": forces.turn.peak_force if isinstance(forces, RealForces) else None,
-            "largest_torque_Nm": _largest_torque(results) if largest else None,
-            "verdict": judged.verdict,
-        }
-        return present(values)
-
-
-def _largest_torque(results: Results) -> float | None:
-    """Torque at the first failure, N*m, as far as it is known."""
-    judged = crank_verdict(results, largest=True)
-    if not judged.largest_torque_known or judged.torque_reserve is None:
-        return None
-    return abs(results.design.output_torque) * judged.torque_reserve
+        values = cls.values(
+            found,
+            fit_class=found.name,
+            largest_torque_Nm=largest_torque(found.results) if largest else None,
+            verdict=found.judged.verdict,
+        )
+        return {"class": values.pop("fit_class"), **values}
 
 
 class SpreadOut(ResponseModel):
@@ -96,6 +81,6 @@ class UsualModificationOut(ResponseModel, of=UsualModification):
             max_pressure_MPa=spread("pressure_MPa", *found.max_pressure),
             backlash_arcmin=spread("angle_arcmin", *map(at_output, found.backlash)),
             verdict=found.verdict.verdict,
-            largest_torque_Nm=_largest_torque(found.results) if largest else None,
+            largest_torque_Nm=largest_torque(found.results) if largest else None,
         )
         return {"class": values.pop("ring_class"), **values}

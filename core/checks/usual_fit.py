@@ -1,10 +1,14 @@
 """Design with a usual clearance, for perfect parts or an unknown clearance."""
 
+from dataclasses import dataclass
+
 from core.checks.check import Verdict
 from core.checks.reserve import crank_verdict
 from core.design.document import Design, changed
+from core.design.real_forces import RealForces
 from core.design.results import Results
 from core.errors import InvalidInput, if_known, is_known
+from core.fields import answered
 from core.hertz import ElasticMaterial
 from core.tolerance.iso286 import fit_clearance
 
@@ -40,10 +44,39 @@ def usual_clearance(design: Design) -> tuple[str, float]:
     return fit, fit_clearance(fit=fit, hole_diameter=2 * hole, pin_diameter=2 * pin)
 
 
-def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:
-    """Fit, results and verdict of a design with a usual clearance; load, contact and eccentricity
-    have to be given. None if the design has a clearance or the tables of fits do not cover its
-    sizes.
+@dataclass(frozen=True, slots=True)
+class UsualFit:
+    """Design with a usual clearance."""
+
+    name: str  # fit such as H7/f7; `PRINTED` for holes softer than `SOFT`
+    results: Results  # results with that clearance
+    judged: Verdict  # verdict with it
+
+    @property
+    @answered("mm", "c")
+    def hole_clearance(self) -> float:
+        """Radial clearance."""
+        return self.results.design.clearance
+
+    @property
+    @answered("N", "F_max")
+    def peak_force(self) -> float | None:
+        """Largest force of all pairs over the turn."""
+        forces = if_known(lambda: self.results.judged_forces)
+        return forces.turn.peak_force if isinstance(forces, RealForces) else None
+
+
+def largest_torque(results: Results) -> float | None:
+    """Torque at the first failure of a check, N*m, as far as it is known."""
+    judged = crank_verdict(results, largest=True)
+    if not judged.largest_torque_known or judged.torque_reserve is None:
+        return None
+    return abs(results.design.output_torque) * judged.torque_reserve
+
+
+def usual_fit(design: Design) -> UsualFit | None:
+    """Design with a usual clearance; load, contact and eccentricity have to be given. None if the
+    design has a clearance or the tables of fits do not cover its sizes.
     """
     if if_known(lambda: design.clearance) != 0:
         return None
@@ -52,7 +85,7 @@ def usual_fit(design: Design) -> tuple[str, Results, Verdict] | None:
     except InvalidInput:
         return None
     results = Results(_cleared(design, clearance))
-    return name, results, crank_verdict(results)
+    return UsualFit(name, results, crank_verdict(results))
 
 
 def with_usual_clearance(design: Design) -> Design:

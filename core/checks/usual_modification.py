@@ -13,7 +13,7 @@ import numpy as np
 
 from core.checks.check import Verdict
 from core.checks.reserve import crank_verdict
-from core.checks.usual_fit import soft, usual_clearance, usual_fit, with_usual_clearance
+from core.checks.usual_fit import UsualFit, soft, usual_clearance, usual_fit, with_usual_clearance
 from core.design.document import Design, changed
 from core.design.results import Results
 from core.design.ring import RingClass
@@ -191,16 +191,14 @@ def usual_modification(design: Design) -> UsualModification | None:
     )
 
 
-def usual_clearance_too(
-    *, design: Design, ring: UsualModification | None
-) -> tuple[str, Results, Verdict] | None:
-    """Fit, results and verdict of a design with a usual clearance, and with the usual modification
-    of `ring` if none is known; None as in `core.checks.usual_fit.usual_fit`.
+def usual_clearance_too(*, design: Design, ring: UsualModification | None) -> UsualFit | None:
+    """Design with a usual clearance, and with the usual modification of `ring` if none is known;
+    None as in `core.checks.usual_fit.usual_fit`.
     """
     if ring is None or design.cycloid.modification is not None:
         return usual_fit(design)
     if design.clearance_unknown and ring.results.design.play:
-        return usual_clearance(design)[0], ring.results, ring.verdict
+        return UsualFit(usual_clearance(design)[0], ring.results, ring.verdict)
     made = ring.results.design
     own = {"gear.modification": made.cycloid.modification, "deviations": made.deviations}
     return usual_fit(changed(design, own))

@@ -208,8 +208,39 @@ class InvolutePair:
     accuracy: Accuracy
 
     @property
-    def ring_root(self) -> float:
-        """Root radius r_fr of the ring, m."""
+    @answered("deg", "α_w")
+    def operating_pressure_angle(self) -> float:
+        """Operating pressure angle."""
+        return self.line.angle
+
+    @property
+    @answered("mm", "e")
+    def eccentricity(self) -> float:
+        """Eccentricity; if none is given, the one without backlash."""
+        return self.line.eccentricity
+
+    @property
+    @answered("mm", "r_as")
+    def satellite_tip_radius(self) -> float:
+        """Tip radius of the satellite."""
+        return self.teeth.satellite_tip
+
+    @property
+    @answered("mm", "r_ar")
+    def ring_tip_radius(self) -> float:
+        """Tip radius of the ring."""
+        return self.teeth.ring_tip
+
+    @property
+    @answered("mm", "r_fs")
+    def satellite_root_radius(self) -> float:
+        """Root radius of the satellite."""
+        return self.teeth.satellite_root
+
+    @property
+    @answered("mm", "r_fr")
+    def ring_root_radius(self) -> float:
+        """Root radius of the ring; assumed if no cutter is given."""
         return self.ring_flank.root
 
     @property
@@ -222,6 +253,12 @@ class InvolutePair:
     def start_roll(self) -> float:
         """Roll angle of the planet at the start of the path, where the ring's tip is in contact."""
         return float(self.line.start_roll(self.teeth.ring_tip))
+
+    @property
+    @answered("", "τ₁")
+    def start_roll_satellite(self) -> float:
+        """Tangent of the satellite's pressure angle at the start of the path."""
+        return self.start_roll
 
     @cached_property
     def end_roll(self) -> float:
@@ -314,7 +351,7 @@ class InvolutePair:
     @answered("mm")
     def tip_clearance_satellite(self) -> float:
         """Clearance from the satellite's tip to the ring's root."""
-        return self.ring_root - self.line.eccentricity - self.teeth.satellite_tip
+        return self.ring_root_radius - self.line.eccentricity - self.teeth.satellite_tip
 
     @property
     @answered("mm")

@@ -112,7 +112,7 @@ def _by_satellite_tip(
     line, tip = pair.line, pair.teeth.satellite_tip
 
     low = float(roll(pair.teeth.ring_tip, base=line.ring_base))
-    high = float(roll(pair.ring_root, base=line.ring_base))
+    high = float(roll(pair.ring_root_radius, base=line.ring_base))
 
     def place(tangent: FloatArray | float, turned: FloatArray) -> FloatArray:
         """Point of the ring's flank at a roll angle, from the planet's centre, m."""

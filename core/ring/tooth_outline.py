@@ -101,12 +101,12 @@ def ring_outline(
     flank = _flank(base=base, half=teeth.ring_half_angle, way=-1)
     curves: tuple[tuple[Curve, float, float], ...]
     if teeth.cutter is None:
-        high = float(roll(pair.ring_root, base=base))
+        high = float(roll(pair.ring_root_radius, base=base))
         whole = teeth.ring_half_angle >= float(involute(math.atan(high)))
         curves = ((flank, high, low),)
     else:
         form = pair.ring_flank.form_roll
-        corner, turned, whole = _cutter_corner(teeth, teeth.cutter, pair.ring_root)
+        corner, turned, whole = _cutter_corner(teeth, teeth.cutter, pair.ring_root_radius)
         whole = whole and form >= low
         curves = ((corner, 0.0, turned), (flank, form, low))
     if not whole or pair.ring_tip_thickness < 0:

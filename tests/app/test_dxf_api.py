@@ -300,7 +300,7 @@ def test_involute_teeth_are_drawn_with_their_ring():
     pair = body.design.results.ring.pair
     for name, ends, teeth in (
         ("satellite_2", (pair.teeth.satellite_root, pair.teeth.satellite_tip), 40),
-        ("ring", (pair.teeth.ring_tip, pair.ring_root), 42),
+        ("ring", (pair.teeth.ring_tip, pair.ring_root_radius), 42),
     ):
         points = outline(drawn[name])
         assert (abs(points).min(), abs(points).max()) == pytest.approx([1e3 * e for e in ends])

@@ -41,7 +41,7 @@ async def test_their_drawing_stands_as_their_files_do(api: Any) -> None:
     pair = CrankPlanetaryRequest.model_validate(body).results.ring.pair
     for name, ends in (
         ("lobe_mm", (pair.teeth.satellite_root, pair.teeth.satellite_tip)),
-        ("ring_lobe_mm", (pair.teeth.ring_tip, pair.ring_root)),
+        ("ring_lobe_mm", (pair.teeth.ring_tip, pair.ring_root_radius)),
     ):
         far = [math.hypot(*point) for point in drawn[name]]
         assert (min(far), max(far)) == pytest.approx([1e3 * e for e in ends], rel=JUDGED)

@@ -277,9 +277,11 @@ def test_beyond_a_static_limit_that_is_not_known_no_reserve_is_stated() -> None:
 
 def test_the_usual_fit_is_the_design_with_its_clearance() -> None:
     design = unknown(SOUND)
-    name, results, judged = usual_fit(design)  # type: ignore[misc]
+    found = usual_fit(design)
+    assert found is not None
+    results, judged = found.results, found.judged
     # H7 of 20 mm 0..21 um, f7 of 16 mm -34..-16 um: (10.5 + 25)/2 um
-    assert name == "H7/f7"
+    assert found.name == "H7/f7"
     assert results.design.clearance == pytest.approx(17.75e-6, rel=EXACT)
     stated: dict[str, Any] = {"hole_radius": 0.010 + 17.75e-6, "clearance_stated": True}
     same, usual = (
@@ -289,8 +291,8 @@ def test_the_usual_fit_is_the_design_with_its_clearance() -> None:
     assert judged.verdict == same.verdict == usual.verdict
     soft = having(design, hole_material=replace(HOLE, youngs_modulus=3e9))
     printed = usual_fit(soft)
-    assert printed is not None and printed[0] == "printed"
-    assert printed[1].design.clearance == pytest.approx(0.25e-3, rel=EXACT)
+    assert printed is not None and printed.name == "printed"
+    assert printed.hole_clearance == pytest.approx(0.25e-3, rel=EXACT)
     assert usual_fit(having(design, hole_radius=0.01001)) is None
     limit = ContactLimit("given", 600e6)
     assert usual_fit(having(design, hole_material=replace(HOLE, limit=limit))) is not None

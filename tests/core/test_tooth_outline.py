@@ -94,7 +94,7 @@ def test_a_ring_is_what_its_cutter_leaves(teeth: InvoluteTeeth) -> None:
     ends = np.append(tool, tool[0] * np.exp(-2j * math.pi / cutter.teeth))
     half = points_of(ring_outline(pair=pair, chord_error=2e-6).points)
     half = half[: len(half) // 2]
-    distance = pair.ring_root - own.satellite_tip
+    distance = pair.ring_root_radius - own.satellite_tip
     nearest = np.full(len(half), np.inf)
     for turned in np.linspace(-0.35, 0.35, 1501):
         ring = half * np.exp(-1j * turned * cutter.teeth / teeth.ring_teeth) - 1j * distance
