@@ -186,6 +186,9 @@ const UNITS = {
   _rpm: "rpm", _W: "W", _h: "h", _C: "°C", _percent: "%",
 };
 
+/** A value of an answer by its API name, with the unit that ends it. */
+export const written = (values, name, digits) => formatQuantity(values[name], unitOf(name), digits);
+
 /** The unit that ends an API field name, "" for a plain number. */
 export function unitOf(name) {
   if (/(deflection|error|reaction|slope)_C$/.test(name)) return ""; // a place

@@ -1,5 +1,6 @@
 /** What a verdict is made of: its cells, and the warnings of an answer. No DOM. */
-import { quantityParts, shownDigits } from "./format.js";
+import { quantityTitle } from "../messages/index.js";
+import { quantityParts, shownDigits, unitOf, written } from "./format.js";
 
 const IMPOSSIBLE = ["interference", "wall_holes", "pins_apart"];
 
@@ -11,9 +12,14 @@ export function cell(label, section, about) {
   return { label, ...(section && about(section)) };
 }
 
-/** Value and unit with at most so many digits, and no more than the section's accuracy allows. */
-export function stated({ accuracy }, value, unit, most) {
-  return quantityParts(value, unit, shownDigits(accuracy.relative_error, most));
+/** A cell of a group beside the results: a quantity by its name among these values, – where it is not known. */
+export function quantityCell(values, name, digits, note, label = quantityTitle(name)) {
+  return { label, value: values[name] === undefined ? "–" : written(values, name, digits), note };
+}
+
+/** Value and unit of a quantity of a section, or of a part of it, with at most so many digits, and no more than the accuracy allows. */
+export function stated(section, name, most, value = section[name]) {
+  return quantityParts(value, unitOf(name), shownDigits(section.accuracy.relative_error, most));
 }
 
 /** Every warning of an answer and of its sections, once. */

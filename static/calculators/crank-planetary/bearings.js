@@ -1,5 +1,6 @@
 /** Ring and bearings of the satellites: what is said of the service's answer. No DOM. */
-import { formatNumber, formatQuantity } from "../../lib/format.js";
+import { written } from "../../lib/format.js";
+import { quantityCell } from "../../lib/verdict.js";
 import { message, quantityTitle } from "../../messages/index.js";
 import { drawnDocument } from "./wanted.js";
 
@@ -14,19 +15,12 @@ function worstOf({ satellites }) {
 
 export function cells(section) {
   const satellite = worstOf(section) + 1;
-  const { equivalent_load_N: load, peak_load_N: peak, life_h: life, basic_life_h: basic, static_safety_factor: safety } = section.satellites[satellite - 1];
+  const own = section.satellites[satellite - 1];
+  const ratio = written(section, "radial_force_ratio", 3);
   return [
-    { label: quantityTitle("equivalent_load_N"), value: formatQuantity(load, "N", 4), note: message("bearings.peak", { satellite, peak: formatQuantity(peak, "N", 4) }) },
-    {
-      label: quantityTitle("life_h"),
-      value: life === undefined ? "–" : formatQuantity(life, "h", 3),
-      note: life === undefined ? message("bearings.noRating") : message("bearings.basic", { life: formatQuantity(basic, "h", 3) }),
-    },
-    {
-      label: quantityTitle("static_rating_safety"),
-      value: safety === undefined ? "–" : formatNumber(safety, 3),
-      note: message("bearings.ring", { ratio: formatNumber(section.radial_force_ratio, 3) }),
-    },
+    quantityCell(own, "equivalent_load_N", 4, message("bearings.peak", { satellite, peak: written(own, "peak_load_N", 4) })),
+    quantityCell(own, "life_h", 3, own.life_h === undefined ? message("bearings.noRating") : message("bearings.basic", { life: written(own, "basic_life_h", 3) })),
+    quantityCell(own, "static_safety_factor", 3, message("bearings.ring", { ratio }), quantityTitle("static_rating_safety")),
   ];
 }
 

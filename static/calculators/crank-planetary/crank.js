@@ -1,6 +1,7 @@
 /** The crankshaft: what is said and drawn of the service's answer. No DOM. */
-import { formatQuantity } from "../../lib/format.js";
-import { message, quantityTitle } from "../../messages/index.js";
+import { written } from "../../lib/format.js";
+import { quantityCell } from "../../lib/verdict.js";
+import { message } from "../../messages/index.js";
 import { crankDrawing } from "./along.js";
 import { drawnDocument } from "./wanted.js";
 
@@ -9,19 +10,13 @@ export const figure = { id: "crank", section: "crankshaft", path: "/crankshaft/c
 const LETTERS = ["A", "B"];
 
 export function cells({ bearings, balance }) {
-  const reaction = (bearing, i) => ({
-    label: message("crank.bearing", { letter: LETTERS[i] }),
-    value: formatQuantity(bearing.peak_N, "N", 4),
-    note: bearing.basic_life_h === undefined ? message("crank.equivalent", { load: formatQuantity(bearing.equivalent_N, "N", 4) })
-      : message("crank.life", { life: formatQuantity(bearing.basic_life_h, "h", 3) }),
-  });
+  const lasts = (bearing) => (bearing.basic_life_h === undefined ? message("crank.equivalent", { load: written(bearing, "equivalent_N", 4) })
+    : message("crank.life", { life: written(bearing, "basic_life_h", 3) }));
   return [
-    ...bearings.map(reaction),
-    balance && {
-      label: quantityTitle("unbalance_kg_mm"),
-      value: formatQuantity(balance.unbalance_kg_mm, "kg·mm", 3),
-      note: message("crank.left", { force: formatQuantity(balance.force_N, "N", 3), couple: formatQuantity(balance.couple_Nm, "N·m", 3) }),
-    },
+    ...bearings.map((bearing, i) => quantityCell(bearing, "peak_N", 4, lasts(bearing), message("crank.bearing", { letter: LETTERS[i] }))),
+    balance && quantityCell(balance, "unbalance_kg_mm", 3, message("crank.left", {
+      force: written(balance, "force_N", 3), couple: written(balance, "couple_Nm", 3),
+    })),
   ].filter(Boolean);
 }
 

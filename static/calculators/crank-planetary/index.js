@@ -95,7 +95,7 @@ function peakCell(section, input, id) {
   });
   return {
     label: quantityTitle("peak_force_N", id),
-    ...stated(section, section.peak_force_N, "N", 6),
+    ...stated(section, "peak_force_N", 6),
     note: factor === 1 ? at : `${at}; ${message("verdict.withoutFactors", { factor: formatNumber(factor, 4) })}`,
   };
 }
@@ -104,7 +104,7 @@ function pressureCell(section, { requirements }) {
   const { governing_pressure_MPa: pressure, safety_factor: safety, line_load_factor: edge = 1 } = section;
   const { conformal_half_angle_pin_deg: angle } = section;
   return {
-    ...(pressure !== undefined && stated(section, pressure, "MPa", 4)),
+    ...(pressure !== undefined && stated(section, "governing_pressure_MPa", 4)),
     note: [
       safety !== undefined && message("verdict.safety", { safety: formatNumber(safety, 3), asked: formatNumber(requirements.pitting_safety, 3) }),
       edge !== 1 && message("verdict.edge", { factor: formatNumber(edge, 3) }),

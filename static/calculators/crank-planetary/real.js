@@ -3,7 +3,8 @@
  * says. No DOM.
  */
 import { inTwoLines } from "../../lib/chart.js";
-import { formatAngle, formatNumber, formatQuantity, quantityParts } from "../../lib/format.js";
+import { formatAngle, formatNumber, formatQuantity, quantityParts, written } from "../../lib/format.js";
+import { quantityCell } from "../../lib/verdict.js";
 import { message, quantityTitle } from "../../messages/index.js";
 import { eccentricityOf, MOST_PAIRS, refuseMore } from "./mechanism.js";
 import { documentOf } from "./wanted.js";
@@ -59,39 +60,26 @@ export const note = "real.lines";
 
 /** The numbers that decide, as cells: `{ label, value, note }`. */
 export function cells({ over_turn: turn, ideal }) {
-  const { satellite, pin } = turn.peak_pair;
+  const at = message("verdict.peakAt", { angle: formatAngle(turn.peak_crank_angle_deg), ...turn.peak_pair });
   return [
-    {
-      label: quantityTitle("peak_force_N", "load_sharing"),
-      value: formatQuantity(turn.peak_force_N, "N", 5),
-      note: message("verdict.peakAt", { angle: formatAngle(turn.peak_crank_angle_deg), satellite, pin }),
-    },
-    {
-      label: message("real.ratio"),
-      value: formatNumber(ideal.ratio, 4),
-      note: message("real.ideal", { force: formatQuantity(ideal.peak_force_N, "N", 5) }),
-    },
-    {
-      label: quantityTitle("backlash_max_arcmin"),
-      value: formatQuantity(turn.backlash_max_arcmin, "′", 4),
-      note: message("real.least", { value: formatQuantity(turn.backlash_min_arcmin, "′", 4) }),
-    },
+    quantityCell(turn, "peak_force_N", 5, at, quantityTitle("peak_force_N", "load_sharing")),
+    quantityCell(ideal, "ratio", 4, message("real.ideal", { force: written(ideal, "peak_force_N", 5) }), message("real.ratio")),
+    quantityCell(turn, "backlash_max_arcmin", 4, message("real.least", { value: written(turn, "backlash_min_arcmin", 4) })),
   ];
 }
 
 /** The rest as rows: `[title, value]`. */
 export function rows({ over_turn: turn, clearance_mm: clearance }, { lost_motion_torque_share: share = 0.03 }) {
-  const title = (name) => quantityTitle(name, "load_sharing");
-  const own = (name, unit) => [title(name), formatQuantity(turn[name], unit, 4)];
+  const own = (name) => [quantityTitle(name, "load_sharing"), written(turn, name, 4)];
   return [
     [message("real.clearance"), formatQuantity(clearance, "mm", 4)],
-    [message("real.lostMotion", { share: formatNumber(100 * share, 3) }), formatQuantity(turn.lost_motion_arcmin, "′", 4)],
-    own("transmission_error_arcmin", "′"),
-    own("unloaded_transmission_error_arcmin", "′"),
+    [message("real.lostMotion", { share: formatNumber(100 * share, 3) }), written(turn, "lost_motion_arcmin", 4)],
+    own("transmission_error_arcmin"),
+    own("unloaded_transmission_error_arcmin"),
     [message("real.stiffness"), range(turn.stiffness_min_Nm_per_arcmin, turn.stiffness_max_Nm_per_arcmin, "N·m/′")],
     [message("real.loaded"), range(turn.loaded_pairs_min, turn.loaded_pairs_max, "")],
-    own("max_pressure_MPa", "MPa"),
-    own("input_torque_ripple_Nm", "N·m"),
+    own("max_pressure_MPa"),
+    own("input_torque_ripple_Nm"),
   ];
 }
 

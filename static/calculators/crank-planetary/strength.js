@@ -1,5 +1,6 @@
 /** Strength of the pins: what is said and drawn of the service's answer. No DOM. */
-import { formatNumber, formatQuantity } from "../../lib/format.js";
+import { formatNumber, written } from "../../lib/format.js";
+import { quantityCell } from "../../lib/verdict.js";
 import { message, quantityTitle } from "../../messages/index.js";
 import { pinDrawing } from "./along.js";
 import { drawnDocument } from "./wanted.js";
@@ -18,37 +19,23 @@ export const bounds = {
   nameOf: ({ support }) => message("option")[support],
 };
 
-export function cells({ peak_equivalent_stress_MPa: stress, static_safety_factor: yields, fatigue, deflection, tie_ring: ring, bolt }) {
+export function cells(section) {
+  const { static_safety_factor: yields, fatigue, deflection, tie_ring: ring, bolt } = section;
+  const stress = yields === undefined ? message("strength.noYield") : message("strength.yield", { safety: formatNumber(yields, 3) });
+  const cycle = fatigue ? message("strength.cycle", { from: written(fatigue, "min_stress_MPa", 4), to: written(fatigue, "max_stress_MPa", 4) })
+    : message("strength.noFatigue");
+  const opens = bolt?.opening_moment_Nm === undefined ? message("strength.noPreload")
+    : message(bolt.holds ? "strength.boltHolds" : "strength.boltAlone", { opens: written(bolt, "opening_moment_Nm", 4) });
   return [
-    {
-      label: quantityTitle("peak_equivalent_stress_MPa"),
-      value: formatQuantity(stress, "MPa", 4),
-      note: yields === undefined ? message("strength.noYield") : message("strength.yield", { safety: formatNumber(yields, 3) }),
-    },
-    {
-      label: quantityTitle("fatigue_safety_factor"),
-      value: fatigue ? formatNumber(fatigue.safety_factor, 3) : "–",
-      note: fatigue ? message("strength.cycle", { from: formatQuantity(fatigue.min_stress_MPa, "MPa", 4), to: formatQuantity(fatigue.max_stress_MPa, "MPa", 4) })
-        : message("strength.noFatigue"),
-    },
-    deflection && {
-      label: quantityTitle("deflection_mm"),
-      value: formatQuantity(deflection.deflection_mm, "mm", 3),
-      note: message("strength.slope", {
-        satellite: deflection.satellite, sloping: deflection.slope_satellite, slope: formatQuantity(deflection.slope_mrad, "mrad", 3),
-      }),
-    },
-    ring && {
-      label: quantityTitle("tie_ring_peak_force_N"),
-      value: formatQuantity(ring.peak_force_N, "N", 4),
-      note: message("strength.ringMoves", { shift: formatQuantity(ring.shift_mm, "mm", 3), turn: formatQuantity(ring.turn_mrad, "mrad", 3) }),
-    },
-    bolt && {
-      label: message("strength.bolt"),
-      value: formatQuantity(bolt.moment_Nm, "N·m", 4),
-      note: bolt.opening_moment_Nm === undefined ? message("strength.noPreload")
-        : message(bolt.holds ? "strength.boltHolds" : "strength.boltAlone", { opens: formatQuantity(bolt.opening_moment_Nm, "N·m", 4) }),
-    },
+    quantityCell(section, "peak_equivalent_stress_MPa", 4, stress),
+    quantityCell(fatigue ?? {}, "safety_factor", 3, cycle, quantityTitle("fatigue_safety_factor")),
+    deflection && quantityCell(deflection, "deflection_mm", 3, message("strength.slope", {
+      satellite: deflection.satellite, sloping: deflection.slope_satellite, slope: written(deflection, "slope_mrad", 3),
+    })),
+    ring && quantityCell(ring, "peak_force_N", 4, message("strength.ringMoves", {
+      shift: written(ring, "shift_mm", 3), turn: written(ring, "turn_mrad", 3),
+    }), quantityTitle("tie_ring_peak_force_N")),
+    bolt && quantityCell(bolt, "moment_Nm", 4, opens, message("strength.bolt")),
   ].filter(Boolean);
 }
 

@@ -1,6 +1,7 @@
 /** Teeth of satellites and ring, cycloid discs on pins or involute ones: what is said of the service's answer. No DOM. */
 import { inTwoLines } from "../../lib/chart.js";
-import { formatNumber, formatQuantity } from "../../lib/format.js";
+import { formatNumber, written } from "../../lib/format.js";
+import { quantityCell } from "../../lib/verdict.js";
 import { message, quantityTitle } from "../../messages/index.js";
 
 /** The service's figure, its titles no longer than its panels are high, where there are several. */
@@ -17,10 +18,8 @@ export const figure = {
   body: (input, answer, [{ body }]) => ({ ...body, include: ["ring_mesh"] }),
 };
 
-const arcmin = (value) => formatQuantity(value, "′", 4);
-
 const lost = (efficiency) => (efficiency === undefined ? message("teeth.noFriction")
-  : message("teeth.efficiency", { efficiency: formatNumber(efficiency.efficiency, 4) }));
+  : message("teeth.efficiency", { efficiency: written(efficiency, "efficiency", 4) }));
 
 /** How the tips of involute teeth pass each other. */
 function tipsOf({ tips_overlap_all_round: overlap, tip_interference_G: room }) {
@@ -29,45 +28,30 @@ function tipsOf({ tips_overlap_all_round: overlap, tip_interference_G: room }) {
 }
 
 function involuteCells({ geometry, stresses, efficiency }) {
-  const { pressure_one_pair_start_MPa: pressure, normal_force_N: force } = stresses;
   return [
-    {
-      label: quantityTitle("pressure_one_pair_start_MPa"),
-      value: pressure === undefined ? "–" : formatQuantity(pressure, "MPa", 4),
-      note: message("teeth.start", { force: formatQuantity(force, "N", 4) }),
-    },
-    { label: quantityTitle("contact_ratio"), value: formatNumber(geometry.contact_ratio, 3), note: tipsOf(geometry) },
-    { label: quantityTitle("geometry_backlash_arcmin"), value: arcmin(geometry.backlash_arcmin), note: lost(efficiency) },
+    quantityCell(stresses, "pressure_one_pair_start_MPa", 4, message("teeth.start", { force: written(stresses, "normal_force_N", 4) })),
+    quantityCell(geometry, "contact_ratio", 3, tipsOf(geometry)),
+    quantityCell(geometry, "backlash_arcmin", 4, lost(efficiency), quantityTitle("geometry_backlash_arcmin")),
   ];
 }
 
 export function cells({ over_turn: turn, ideal, efficiency, ...involute }) {
   if (turn === undefined) return involuteCells({ ...involute, efficiency });
-  const { satellite, pin } = turn.peak_pair;
-  const pressure = {
-    label: quantityTitle("max_pressure_MPa"),
-    value: formatQuantity(turn.max_pressure_MPa, "MPa", 4),
-    note: message("teeth.peak", { satellite, pin, force: formatQuantity(turn.peak_force_N, "N", 4), times: formatNumber(turn.peak_force_ratio, 3) }),
-  };
+  const pressure = quantityCell(turn, "max_pressure_MPa", 4, message("teeth.peak", {
+    ...turn.peak_pair, force: written(turn, "peak_force_N", 4), times: written(turn, "peak_force_ratio", 3),
+  }));
   if (turn.backlash_max_arcmin === undefined) { // both meshes in series, whose play and stiffness are elsewhere
-    const lag = Math.max(turn.lag_max_arcmin, -turn.lag_min_arcmin);
+    const lag = { lag_arcmin: Math.max(turn.lag_max_arcmin, -turn.lag_min_arcmin) };
     return [
       pressure,
-      { label: message("teeth.lag"), value: arcmin(lag), note: message("teeth.both") },
-      ...(efficiency === undefined ? [] : [{ label: quantityTitle("efficiency"), value: formatNumber(efficiency.efficiency, 4), note: message("teeth.alone") }]),
+      quantityCell(lag, "lag_arcmin", 4, message("teeth.both"), message("teeth.lag")),
+      ...(efficiency === undefined ? [] : [quantityCell(efficiency, "efficiency", 4, message("teeth.alone"))]),
     ];
   }
+  const play = ideal.backlash_arcmin === undefined ? message("teeth.jams") : message("teeth.many", { backlash: written(ideal, "backlash_arcmin", 4) });
   return [
     pressure,
-    {
-      label: quantityTitle("backlash_max_arcmin"),
-      value: arcmin(turn.backlash_max_arcmin),
-      note: ideal.backlash_arcmin === undefined ? message("teeth.jams") : message("teeth.many", { backlash: arcmin(ideal.backlash_arcmin) }),
-    },
-    {
-      label: quantityTitle("transmission_error_arcmin"),
-      value: arcmin(turn.transmission_error_arcmin),
-      note: lost(efficiency),
-    },
+    quantityCell(turn, "backlash_max_arcmin", 4, play),
+    quantityCell(turn, "transmission_error_arcmin", 4, lost(efficiency)),
   ];
 }

@@ -38,14 +38,14 @@ function loadBody(input) {
 
 function lengthCell(section) {
   return {
-    ...stated(section, section.total_length_mm, "mm", 4),
+    ...stated(section, "total_length_mm", 4),
     note: message("verdict.lines", { count: section.lines.length }),
   };
 }
 
 function loadCell(section) {
   return {
-    ...stated(section, section.max_line_load_N_per_mm, "N/mm", 4),
+    ...stated(section, "max_line_load_N_per_mm", 4),
     note: message("verdict.meshForce", { force: formatQuantity(Math.hypot(...section.force_N), "N", 4) }),
   };
 }
@@ -53,7 +53,7 @@ function loadCell(section) {
 function deflectionCell(section) {
   const reaction = (at) => formatQuantity(Math.hypot(...section[`reaction_${at}_N`]), "N", 4);
   return {
-    ...stated(section, section.deflection_C_mm.total, "mm", 3),
+    ...stated(section, "deflection_C_mm", 3, section.deflection_C_mm.total),
     note: message("verdict.deflectionB", {
       deflection: formatQuantity(section.deflection_B_mm.total, "mm", 3), B: reaction("B"), C: reaction("C"),
     }),

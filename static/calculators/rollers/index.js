@@ -1,15 +1,15 @@
 /** The calculator of swinging rollers: load sharing with position errors, and bending stress. */
 import { enduranceOf, requestOf } from "../../lib/fatigue.js";
 import { cell, stated } from "../../lib/verdict.js";
-import { formatNumber, formatQuantity } from "../../lib/format.js";
+import { formatNumber, written } from "../../lib/format.js";
 import { message, quantityTitle } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
 import { sentences } from "./sentences.js";
 
 function forceCell(section) {
   return {
-    ...stated(section, section.max_force_N, "N", 5),
-    note: message("verdict.rollerMean", { mean: formatQuantity(section.mean_force_N, "N", 4) }),
+    ...stated(section, "max_force_N", 5),
+    note: message("verdict.rollerMean", { mean: written(section, "mean_force_N", 4) }),
   };
 }
 
@@ -23,8 +23,8 @@ function sharingCell({ forces_N: forces, loaded_rollers: loaded, load_nonuniform
 
 function stressCell(section) {
   return {
-    ...stated(section, section.bending_stress_MPa, "MPa", 4),
-    note: message("verdict.bendingMoment", { moment: formatQuantity(section.bending_moment_Nm, "N·m", 4) }),
+    ...stated(section, "bending_stress_MPa", 4),
+    note: message("verdict.bendingMoment", { moment: written(section, "bending_moment_Nm", 4) }),
   };
 }
 
