@@ -77,31 +77,15 @@ def crankshaft(
     on the cranks. Of the input drive only the torque is considered. `ImpossibleMechanism` is raised
     at a dead centre.
 
-    Parameters
-    ----------
-    distribution_factor : float
-        Load-sharing factor K_alpha of the satellites, from 1 to K, for ideal forces: one satellite
-        carries K_alpha/K of the torque, and the worst choice of that satellite counts for each
-        bearing.
-    satellite_positions : tuple of float
-        Middle planes z of the satellites along the shaft, m.
-    bearing_positions : tuple of float
-        Places A and B of the bearings, m; B beyond A.
-    satellite_mass, rotor_mass : float, optional
-        Mass of a satellite with its bearing, needed for a balance, and of all that turns, kg.
-    input_speed : float, optional
-        Speed of the crank against the housing, rad/s, > 0; needed for balance and life.
-    bearing_speeds : tuple of float, optional
-        Speed of the crank against the seat of each bearing, rad/s, if a seat turns against the
-        housing; a bearing at speed 0 has no life.
-    torque_direction : {"driving", "reverse", "alternating"}
-        Direction of the torque, the worse one if alternating.
-    made : callable, optional
-        Forces of the mechanism as made, see `core.output.real_turn.sampled`; by default ideal ones,
-        shared equally by the satellites.
+    For ideal forces one satellite carries K_alpha/K of the torque by the load-sharing factor
+    K_alpha, from 1 to K, and the worst choice of that satellite counts for each bearing. Middle
+    planes z of the satellites and places A and B of the bearings, B beyond A, are in m. A balance
+    needs the mass of a satellite with its bearing, kg, and the speed of the crank against the
+    housing, rad/s, > 0, as life does; the rotor mass is that of all that turns. `bearing_speeds`,
+    rad/s, are against the seat of each bearing if a seat turns against the housing; at 0 there is
+    no life. The direction is the worse one if alternating; forces as made (`made`, see
+    `core.output.real_turn.sampled`) are by default ideal ones, shared equally.
 
-    Examples
-    --------
     Six pins, two satellites at 20 and 42 mm of 62 mm between the bearings, involute teeth.
 
     >>> found = crankshaft(

@@ -165,29 +165,13 @@ def pin_rollers(
     as standing still against the load, so that its rotation factor is 1. Life: ISO 281:2007.
     `ImpossibleMechanism` is raised at a dead centre.
 
-    Parameters
-    ----------
-    output_torque : float
-        Torque T on the output link, N*m.
-    torque_direction : {"driving", "reverse", "alternating"}
-        Direction of made forces, the worse one if alternating; ideal forces are alike in both.
-    made : callable, optional
-        Forces of the mechanism as made, see `core.output.real_turn.sampled`; by default ideal ones.
-    pin_radius : float
-        Outer radius r_s of the roller, which touches the hole, m.
-    peak_torque : float, optional
-        Torque of the static safety, N*m; by default T.
-    ratings : {"bearing", "roller"}
-        Meaning of the ratings; those of a bearing are reduced by `unsupported_shares`.
-    per_satellite : int
-        Rollers side by side under each satellite, which share its force.
-    dynamic_rating, static_rating : float, optional
-        Ratings C and C0 of a single roller, N.
-    rolling_elements : int, optional
-        Number Z of balls or rollers.
+    T is in N*m; the pin radius is the outer radius r_s of the roller, m. The torque direction is
+    that of forces as made (`made`, see `core.output.real_turn.sampled`), the worse one if
+    alternating; ideal forces, the default, are alike in both. The static safety is under the peak
+    torque, by default T. Ratings C and C0, N, are those of a single roller, reduced by
+    `unsupported_shares` if of a bearing; `per_satellite` rollers side by side share the force of a
+    satellite.
 
-    Examples
-    --------
     >>> found = pin_rollers(
     ...     mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=15.0),
     ...     output_torque=4.05, pin_circle_radius=0.024, eccentricity=1.5e-3, pin_radius=6.5e-3,

@@ -173,33 +173,16 @@ def satellite_bearings(
     281:2007). Source of the forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10).
     `ImpossibleMechanism` is raised at a dead centre.
 
-    Parameters
-    ----------
-    output_torque : float or array
-        Torque T on the output link, N*m, without an application factor.
-    input_speed : float or array, optional
-        Speed w_in of the crank against the ring, rad/s; without it, or at 0, there is no life.
-    distribution_factor : float
-        Load-sharing factor K_alpha of the satellites, from 1 to K, for ideal forces: every bearing
-        is judged as the one that carries K_alpha/K of the torque, the least load is that of
-        another, and the life of all together is that of the worst choice.
-    centrifugal : float or array
-        Centrifugal force ``m*e*w_in^2`` of a satellite with its bearing, N; the static safety is
-        the smaller one with it and at rest.
-    ring_factor : float or array
-        Factor V of the load, for the ring that turns against it, > 0.
-    weibull_slope : float or array, optional
-        Slope of the distribution of lives, for the life of all bearings together.
-    peak_torque : float or array, optional
-        Torque of the static safety, N*m; by default T.
-    torque_direction : {"driving", "reverse", "alternating"}
-        Direction of made forces, the worse one if alternating; ideal forces are alike in both.
-    made : callable, optional
-        Forces of one design as made, see `core.output.real_turn.sampled`; by default ideal ones,
-        shared equally by the satellites.
+    T, N*m, is without an application factor. The speed w_in of the crank against the ring is in
+    rad/s; without it, or at 0, there is no life. For ideal forces every bearing is judged as the
+    one that carries K_alpha/K of the torque by the load-sharing factor K_alpha, from 1 to K; the
+    least load is that of another, and the life of all together that of the worst choice. The static
+    safety, under the peak torque (by default T), is the smaller one with the centrifugal force
+    ``m*e*w_in^2`` of a satellite with its bearing, N, and at rest. The factor V, > 0, is for the
+    ring that turns against the load, the Weibull slope for the life of all bearings together. The
+    direction is that of forces as made (`made` of one design, see `core.output.real_turn.sampled`),
+    the worse one if alternating; ideal forces, the default, are alike in both and shared equally.
 
-    Examples
-    --------
     Six pins, two satellites, 500 N*m at 1500 rpm of the crank, involute teeth.
 
     >>> found = satellite_bearings(

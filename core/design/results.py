@@ -74,14 +74,9 @@ class Results:
     A result that is not known raises `NotKnown`, and one that cannot exist raises
     `ImpossibleMechanism`, at each access.
 
-    Parameters
-    ----------
-    design : Design
-    equal : bool
-        True ignores the bending of pins, so that satellites of perfect parts share the load
-        equally, as the papers assume.
-    bounded : bool
-        False solves forces of any number of pairs, as the caller has limits of its own.
+    `equal` ignores the bending of pins, so that satellites of perfect parts share the load equally,
+    as the papers assume. Without `bounded` forces of any number of pairs are solved, as the caller
+    has limits of its own.
     """
 
     def __init__(self, design: Design, *, equal: bool = False, bounded: bool = True) -> None:

@@ -64,27 +64,11 @@ def solve_for(
 ) -> Solution:
     """Input at which a result meets a target.
 
-    Parameters
-    ----------
-    function : callable
-        Result of an input; NaN where none exists.
-    low, high : float
-        Range of the input, low < high.
-    target : float
-        Value to be met.
-    sense : {"at_least", "at_most", "equals"}
-        Comparison with the target; `equals` finds where the result crosses it.
-    want : {"smallest", "largest"}
-        Choice among the inputs that meet the target.
-    integer : bool
-        True tries every whole number in the range, at most `MOST_WHOLE` of them.
-    log : bool
-        True spaces the samples by a ratio, for which low must be > 0.
-    samples : int
-        Number of first samples, at least 2.
+    The result is NaN where none exists; low < high. `equals` finds where the result crosses the
+    target, `want` chooses among the inputs that meet it. `integer` tries every whole number in the
+    range, at most `MOST_WHOLE` of them; `log` spaces the first samples, at least 2, by a ratio, for
+    which low must be > 0.
 
-    Examples
-    --------
     >>> found = solve_for(function=lambda x: x*x, low=0.0, high=10.0, target=2.0)
     >>> found.value, found.monotone
     (1.4142135623730951, True)

@@ -362,24 +362,13 @@ def pin_losses(
     does not change the forces here, though its couple ``mu*r*sum F`` helps the torque. Heat, oil
     film and seals are left out. `ImpossibleMechanism` is raised if the mechanism has a dead centre.
 
-    Parameters
-    ----------
-    input_speed : float or array
-        Speed w_in of the crank against the ring, rad/s; 0 where both turn together.
-    pin_radius : float or array
-        Radius that touches the hole, m, > 0: r_in of the pin, or r_s of its sleeve.
-    distribution_factor : float or array
-        Factor K_alpha >= 1 of uneven sharing on the largest force, for pv and wear where they are
-        largest; the loss is that of all forces together.
-    wear_rate : float or array, optional
-        Wear rate k: volume over force and distance, m^2/N.
-    life : float or array
-        Time in which pins wear, s.
-    output_power : float or array, optional
-        Power of the output, W; ``T*w_in/u``, that of the pins, where not given.
+    The speed w_in of the crank against the ring, rad/s, is 0 where both turn together; the pin
+    radius, m, > 0, is the one that touches the hole: r_in, or r_s of a sleeve. The factor K_alpha
+    >= 1 of uneven sharing on the largest force counts for pv and wear where they are largest; the
+    loss is that of all forces together. The wear rate k is volume over force and distance, m^2/N,
+    the life, s, the time in which pins wear; the output power, W, is ``T*w_in/u``, that of the
+    pins, where not given.
 
-    Examples
-    --------
     Six pins, two satellites, 500 N*m at 75 rpm, mu = 0.08: 336 W of 3927 W are lost.
 
     >>> m = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)

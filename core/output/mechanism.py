@@ -274,14 +274,10 @@ def assembly_angles(*, mechanism: Mechanism, satellite_teeth: int) -> tuple[Asse
     ``psi_j = min over k of |alpha_j/u + k*2*pi/z2|``, with alpha_j counted from crank 1 and the
     number of teeth z2 of a satellite, at least 1.
 
-    Notes
-    -----
     Source: Yanchevskiy and Niekhoroshykh 2021, after eq. (11). Erratum: the paper prints
     ``j*alpha/u``, which would turn satellite 1 against itself; ``(j - 1)*alpha`` is meant. Two
     satellites are also the same part if their holes differ by a whole number of pitches 2*pi/N.
 
-    Examples
-    --------
     >>> m = Mechanism.evenly_spaced(pins=3, satellites=2, ratio=20.0)
     >>> [a.identical for a in assembly_angles(mechanism=m, satellite_teeth=40)]
     [True, True]
