@@ -55,7 +55,7 @@ class RingLoss:
     """Efficiency of the mesh with the ring alone."""
     lost_torque: float  # lost power over the speed of the crank, N*m
     input_speed: float | None  # speed of the crank, rad/s; None if unknown
-    ideal_loss_ratio: float | None = answer("", "4μ(R_p − r)/(π·e·z₂)", default=None)
+    ideal_loss_ratio: float | None = answer("", "", "4μ(R_p − r)/(π·e·z₂)", default=None)
     """Power loss over output power of perfect parts with many pins."""
 
     @property

@@ -130,13 +130,13 @@ class CycloidDisc:
         return self.eccentricity * self.pins / self.ring_pin_circle_radius
 
     @property
-    @answered("mm", "R_m + e − r_m")
+    @answered("mm", "", "R_m + e − r_m")
     def tip_radius(self) -> float:
         """Largest radius of a disc."""
         return self.tool_circle_radius + self.eccentricity - self.tool_radius
 
     @property
-    @answered("mm", "R_m − e − r_m")
+    @answered("mm", "", "R_m − e − r_m")
     def root_radius(self) -> float:
         """Least radius of a disc."""
         return self.tool_circle_radius - self.eccentricity - self.tool_radius

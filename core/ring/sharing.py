@@ -505,7 +505,7 @@ class IdealMesh:
     """Largest force of a pin, 4T_j/(K₁·z₂·R_p)."""
     mean_sum_force: float = answer("N", "ΣF")
     """Mean over the turn of the sum of forces on a disc, 4T_j/(π·e·z₂)."""
-    backlash: float | None = answer("arcmin", "2(Δ_e − Δ_p·q)/(e·z₂)")
+    backlash: float | None = answer("arcmin", "", "2(Δ_e − Δ_p·q)/(e·z₂)")
     """Play caused by the modification alone; absent if the modification makes the mesh jam."""
 
 
