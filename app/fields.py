@@ -127,6 +127,11 @@ class SectionFields(RequestModel):
         """Section in SI units, as part of another one."""
         return self.made
 
+    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
+        """Assumed values, with those that core takes for fields that are not given."""
+        yield from super().assumed()
+        yield from (((name,), value) for name, value in self.filled.items())
+
     @property
     def filled(self) -> Values:
         """Values that core takes for fields that are not given."""

@@ -314,8 +314,8 @@ class RequestModel(BaseModel):
             if name in self.ASSUMED and name not in self.model_fields_set:
                 yield (name,), value
         for name, value in self.given.items():
-            if isinstance(value, RequestModel):
-                yield from (((name, *path), inner) for path, inner in value.assumed())
+            for place, part in _parts(value):
+                yield from (((name, *place, *path), inner) for path, inner in part.assumed())
 
     def without(self, path: tuple[str, ...]) -> "Values":
         """Values of the answer without an assumption, if they are quickly calculated."""
@@ -338,6 +338,15 @@ class RequestModel(BaseModel):
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Raise `InvalidInput` if the request exceeds the operator's limits."""
+
+
+def _parts(value: Any) -> Iterator[tuple[tuple[str, ...], RequestModel]]:
+    """Models in a value, itself or in a list, with their places."""
+    if isinstance(value, RequestModel):
+        yield (), value
+    elif isinstance(value, list):
+        for index, each in enumerate(value):
+            yield from (((str(index), *place), part) for place, part in _parts(each))
 
 
 class _InCore(NamedTuple):
@@ -434,12 +443,6 @@ class WorkedFields(RequestModel):
         max_length=1,
         description="Optional results; only those that are named are computed.",
     )
-
-    def to_core(self) -> dict[str, Any]:
-        """Given fields as the core's arguments, without `include`."""
-        own = super().to_core()
-        own.pop("include", None)
-        return own
 
 
 @cache

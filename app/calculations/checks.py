@@ -60,14 +60,6 @@ class JudgedFields(RequestModel):
         default="governing", description="Checks that the section `fixes` has to cure."
     )
 
-    def to_core(self) -> dict[str, Any]:
-        """Given fields as the core's arguments, without those for the checks only."""
-        own = super().to_core()
-        return {name: value for name, value in own.items() if name not in _JUDGING}
-
-
-_JUDGING = frozenset(JudgedFields.model_fields)
-
 
 class ScopedRequirementsFields(SectionFields, of=Requirements, group="requirements"):
     """Limits that a reducer has to keep, and the parts that are judged."""

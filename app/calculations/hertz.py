@@ -3,7 +3,7 @@
 from collections.abc import Collection
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 from pydantic import (
     BeforeValidator,
@@ -222,8 +222,6 @@ class ContactFields(
 
     pin_material: Material = "steel_bearing"
     hole_material: Material = "steel_through_hardened"
-
-    ASSUMED: ClassVar[tuple[str, ...]] = ("pin_material", "hole_material")
 
     def limits(self) -> list[tuple[str, float]]:
         """Body and limit of its pressure, Pa, for each body of known limit."""

@@ -1,8 +1,5 @@
 """Pin as a section of a design: beam and material."""
 
-from collections.abc import Iterator
-from typing import Any
-
 from app.fields import SectionFields
 from core.design.sections import DesignPin
 from core.errors import Notice
@@ -12,11 +9,6 @@ from core.output.pin_bolt import PinBolt
 
 class PinBoltFields(SectionFields, of=PinBolt, group="pin"):
     """Bolt through the pin, which is a spacer then."""
-
-    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Assumed values, with the material of the bolt."""
-        yield from super().assumed()
-        yield from (((name,), value) for name, value in self.filled.items())
 
     def notices(self) -> tuple[Notice, ...]:
         """Notice of a preload that is estimated from a tightening torque."""

@@ -26,6 +26,5 @@ class RingFields(SectionFields, of=RINGS, group="gear"):
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Assumed values, with the material of the ring if its mesh is judged."""
-        yield from super().assumed()
         if self.kind != "cycloid" or self.modification is not None:
-            yield from (((name,), value) for name, value in self.filled.items())
+            yield from super().assumed()

@@ -177,7 +177,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
     @property
     def _inputs(self) -> dict[str, Any]:
         """Arguments of the core by the names of the inputs."""
-        aside = (*_JUDGED_BY, *_TIRED_BY)
+        aside = (*JudgedFields.model_fields, *_JUDGED_BY, *_TIRED_BY)
         return {name: each for name, each in self.to_core().items() if name not in aside}
 
     def tired(self, result: RollerStrength, diameter: float) -> CycleFatigue | Notice | None:

@@ -1,11 +1,7 @@
 """Sections of the design document in a request: load, deviations, supports, friction, bearings."""
 
-from collections.abc import Iterator
-from typing import Any
-
 from app.calculations.hertz import of_load_factor
 from app.calculations.ideal_forces import LoadFields
-from app.calculations.named_bearing import NamedBearingFields
 from app.fields import SectionFields
 from core.design.sections import (
     CatalogueBearing,
@@ -58,11 +54,11 @@ class FrictionFields(SectionFields, of=Friction, group="friction"):
     """Friction and wear of pin and hole, or of pin and sleeve."""
 
 
-class RollersFields(NamedBearingFields, of=Rollers, group="rollers"):
+class RollersFields(SectionFields, of=Rollers, group="rollers"):
     """Rolling bearings on the pins, whose outer rings roll in the holes."""
 
 
-class ShaftBearingFields(NamedBearingFields, of=CatalogueBearing, group="bearing"):
+class ShaftBearingFields(SectionFields, of=CatalogueBearing, group="bearing"):
     """A bearing of the crankshaft."""
 
 
@@ -76,9 +72,3 @@ class SeatedBearingFields(ShaftBearingFields, of=SeatedBearing, group="crankshaf
 
 class CrankshaftFields(SectionFields, of=Shaft, group="crankshaft"):
     """Crankshaft with the places of its loads and bearings."""
-
-    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Assumed values, with those of named bearings."""
-        yield from super().assumed()
-        for index, each in enumerate(self.bearings or ()):
-            yield from ((("bearings", str(index), *path), value) for path, value in each.assumed())

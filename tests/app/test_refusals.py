@@ -154,6 +154,11 @@ SECTIONS = [
         "other_pitch",
         crankshaft__satellite_positions_mm=[20.0, 45.0],
     ),
+    row(
+        "/crankshaft/bearings/1/name",
+        "no_such_bearing",
+        crankshaft__bearings=[{"name": "6205"}, {"name": "none"}],
+    ),
     row("/bearing/reliability_percent", "not_in_table", bearing__reliability_percent=92),
     row(
         "/fatigue/reliability_percent",
