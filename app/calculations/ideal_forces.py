@@ -22,6 +22,7 @@ from app.settings import Settings
 from app.units import UNITS, from_si, rounded, to_si
 from core.arrays import FloatArray
 from core.design.sections import Load
+from core.design.stated import output_torque
 from core.errors import ImpossibleMechanism, InvalidInput, required
 from core.output.contact_force import (
     ContactForce,
@@ -33,7 +34,6 @@ from core.output.contact_force import (
     cyclogram,
     drawing_angles,
     force_curves,
-    output_torque_from_input,
 )
 from core.output.mechanism import AssemblyAngle, Mechanism, Members, assembly_angles
 
@@ -179,32 +179,19 @@ class TorqueFields(
 
     def force_given(self, members: Members) -> dict[str, Any]:
         """Load as the worked steps of the force take it."""
+        own = self.stated
+        driven_by = (own["input_torque"], own["efficiency"]) if "input_torque" in own else None
         return {
             "members": members,
             "output_torque": self.torque(members),
-            "pin_circle_radius": to_si("pin_circle_radius_mm", self.pin_circle_radius_mm),
+            "pin_circle_radius": own.get("pin_circle_radius"),
             "force_exponent": self.force_exponent,
-            "driven_by": self._driven_by,
+            "driven_by": driven_by,
         }
-
-    @property
-    def _driven_by(self) -> tuple[float, float] | None:
-        """Torque on the crankshaft, N*m, and efficiency; None unless both are given."""
-        match self.given:
-            case {"input_torque_Nm": torque, "efficiency": efficiency}:
-                return torque, efficiency
-        return None
 
     def torque(self, members: Members) -> float | None:
         """Torque of the output, N*m; None if it is not given."""
-        match self.given:
-            case {"output_torque_Nm": torque}:
-                return float(torque)
-            case {"input_torque_Nm": torque, "efficiency": efficiency}:
-                return output_torque_from_input(
-                    input_torque=torque, ratio=members.torque_ratio, efficiency=efficiency
-                )
-        return None
+        return output_torque(load=self.stated, members=members)
 
     def pin_torque(self, members: Members) -> float:
         """Torque on the pins, N*m."""

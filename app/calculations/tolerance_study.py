@@ -60,17 +60,6 @@ from core.tolerance.study import (
 )
 from core.tolerance.tolerances import Tolerances
 
-Name = Literal[
-    "peak_force_N",
-    "max_pressure_MPa",
-    "transmission_error_arcmin",
-    "backlash_max_arcmin",
-    "lost_motion_arcmin",
-    "stiffness_min_Nm_per_arcmin",
-    "ring_peak_force_N",
-    "ring_max_pressure_MPa",
-]
-
 POSITIONS_PER_SECOND = 500_000
 """Number of positions of a pair allowed for each second of a calculation; one processor solves some
 three times as many with the slowest law."""
@@ -152,7 +141,7 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
     )
     """Number of even positions of the turn at which each piece is solved; with a ring in series
     four times as many, over all turns after which both meshes repeat."""
-    quantities: list[Name] = Field(
+    quantities: list[Literal[*LimitsFields.model_fields]] = Field(  # type: ignore[valid-type]
         default=["peak_force_N", "backlash_max_arcmin"],
         min_length=1,
         max_length=8,

@@ -210,10 +210,10 @@ KINDS: dict[str, Any] = {
     "deviations": Deviations,
     "crank_support": CrankSupport,
     "satellite_coupling": COUPLINGS,
-    "pin": DesignPin,
     "fatigue": FatigueBasis,
     "friction": Friction,
     "rollers": Rollers,
+    "pin": DesignPin,
     "gear": RINGS,
     "bearing": RollingBearing,
     "crankshaft": Shaft,
@@ -222,54 +222,56 @@ KINDS: dict[str, Any] = {
     "tolerances": ToleranceSection,
     "requirements": Requirements,
 }
-"""Sections of a document; those of several kinds by their kind."""
+"""Sections of a document, each after those from which it takes values."""
 
 
-def _torque(load: Values, mechanism: Values) -> dict[str, Any]:
-    """Torque of the output that follows from that of the crankshaft."""
+def output_torque(*, load: Values, members: Members) -> float | None:
+    """Torque of the output, N*m, as stated or by that of the crankshaft; None if neither is."""
     if "input_torque" not in load:
-        return {}
-    made = section(kind=MechanismSection, stated=mechanism)
-    torque = output_torque_from_input(
+        return load.get("output_torque")
+    return output_torque_from_input(
         input_torque=load["input_torque"],
-        ratio=Members(made.output, made.ratio).torque_ratio,
+        ratio=members.torque_ratio,
         efficiency=load["efficiency"],
     )
-    return {"output_torque": torque}
 
 
-def _pin(pin: Values, stated: Mapping[str, Values]) -> dict[str, Any]:
+def _pin(pin: Values, made: Mapping[str, Any]) -> dict[str, Any]:
     """Pin with diameter and material of what surrounds it, the rollers first."""
-    rollers, contact = stated.get("rollers", {}), stated.get("contact")
+    rollers, contact = made.get("rollers"), made.get("contact")
     diameter, chosen = pin.get("diameter"), pin.get("material")
-    bore = rollers.get("bore_diameter", filled(kind=Rollers, stated=rollers).get("bore_diameter"))
-    if contact is not None:
-        radius = contact.get("pin_radius")
-        bore = bore or (radius and 2 * radius)
-        chosen = chosen or (filled(kind=Contact, stated=contact) | {**contact})["pin_material"]
-    diameter = required(diameter or bore, "size_missing", "pin.diameter")
+    if rollers:
+        diameter = diameter or rollers.bore_diameter
+    if contact:
+        diameter = diameter or (contact.pin_radius and 2 * contact.pin_radius)
+        chosen = chosen or contact.pin_material
+    diameter = required(diameter, "size_missing", "pin.diameter")
     held = in_bending(material(required(chosen, "size_missing", "pin.material")))
     usual = {"support": "cantilever", "satellite_positions": ()}
     return {**usual, **pin, **held, "diameter": diameter}
 
 
-def _law(stated: Mapping[str, Values]) -> Any:
+def _law(contact: Contact | None) -> Any:
     """Contact law by the materials; any law without a contact, which is refused later."""
-    if "contact" not in stated:
+    if contact is None:
         return HertzLaw()
-    own = filled(kind=Contact, stated=stated["contact"]) | {**stated["contact"]}
-    return usual_law(pin=material(own["pin_material"]), hole=material(own["hole_material"]))
+    pin, hole = contact.pin_material, contact.hole_material
+    assert pin and hole  # usual ones if none are stated
+    return usual_law(pin=pin, hole=hole)
 
 
-def _of_design(name: str, stated: Mapping[str, Values]) -> Any:
-    """Section of the design, with what follows from other sections."""
+def _of_design(name: str, stated: Mapping[str, Values], made: Mapping[str, Any]) -> Any:
+    """Section of the design, with what follows from other sections, of which some are made."""
     own, kind = {**stated[name]}, KINDS[name]
     if name == "contact_law" and not own:
-        return _law(stated)
+        return _law(made.get("contact"))
     if name == "load":
-        own |= _torque(own, stated["mechanism"])
+        mechanism = made["mechanism"]
+        own["output_torque"] = output_torque(
+            load=own, members=Members(mechanism.output, mechanism.ratio)
+        )
     if name == "pin":
-        own = _pin(own, stated)
+        own = _pin(own, made)
     difference = teeth_difference(stated["mechanism"])
     if name == "gear" and difference is not None:
         own["teeth_difference"] = difference
@@ -296,16 +298,14 @@ def design_of(
         True if the design has its pin also without a contact that loads it.
     """
     _refuse_contradictions(stated)
-    sections = {}
-    for name in sorted(stated, key="pin".__eq__):  # a pin needs what surrounds it
+    made: dict[str, Any] = {}
+    for name in (each for each in KINDS if each in stated):
         try:
-            made = _of_design(name, stated)
+            made[name] = _of_design(name, stated, made)
         except NotKnown:
             if name in used:
                 raise
-            continue
-        if name in used:
-            sections[name] = made
+    sections = {name: each for name, each in made.items() if name in used}
     if "contact" not in sections and not pin_alone:
         sections.pop("pin", None)
     if "gear" in sections and "satellite_coupling" in used:
