@@ -178,7 +178,7 @@ function placed(param) {
 }
 
 /** A text of a figure by its id and parameters: its title, an axis, a legend, what is shown at a point. */
-export function figureText(id, params) {
+export function figureText(id, params = {}) {
   const [kind, code] = id.includes(".") ? id.split(".") : ["figures", id];
   const values = Object.fromEntries(Object.entries(params).map(([name, value]) =>
     [name, name === "unit" ? shownUnit(value) : placed(value)]));

@@ -2,7 +2,7 @@
 import { formatAngle, formatNumber, formatQuantity, tidy } from "../../lib/format.js";
 import { DIAMETER, inDiameters } from "../../lib/units.js";
 import { message, quantityTitle } from "../../messages/index.js";
-import { warningText } from "../../service_texts.js";
+import { figureText, warningText } from "../../service_texts.js";
 import { MOST_PAIRS, refuseMore } from "./mechanism.js";
 import { range } from "./real.js";
 
@@ -42,7 +42,7 @@ const LEVELS = { fits: "good", fits_by_bearing_clearance: "warning", pressed_wit
 export function cells({ fit }) {
   const { state, least_room_mm: least, greatest_room_mm: most, least_room_crank_angle_deg: angle } = fit;
   const word = {
-    label: message("fit.state"),
+    label: message("group.pins"),
     value: message(`fit.${stateOf(fit)}`),
     level: LEVELS[stateOf(fit)] ?? "bad",
     note: state === "fits" || state === "no_bound" ? "" : bindingText(fit.binding),
@@ -51,7 +51,7 @@ export function cells({ fit }) {
   return [
     word,
     {
-      label: message("fit.least"),
+      label: figureText("least_room"),
       value: mm(least),
       note: [arcmin(fit.least_room_arcmin), angle !== undefined && `φ\u00a0=\u00a0${formatAngle(angle)}`].filter(Boolean).join("; "),
     },
@@ -106,7 +106,7 @@ export function tables({ fit: { discs = [], least_room_mm: all } }) {
   if (discs.length < 2 || discs.every(({ least_room_mm: room, turned_deg: turned }) => Math.abs(room - all) < 1e-9 && Math.abs(turned) < 1e-9)) return [];
   return [{
     title: message("fit.discs"),
-    columns: [{ title: quantityTitle("satellite") }, { title: message("fit.least"), unit: "mm" }, { title: message("fit.turned"), unit: "°" }],
+    columns: [{ title: quantityTitle("satellite") }, { title: figureText("least_room"), unit: "mm" }, { title: message("fit.turned"), unit: "°" }],
     rows: discs.map(({ satellite, least_room_mm: room, turned_deg: turned }) => [String(satellite), tidy(room), Math.abs(turned) < 1e-9 ? 0 : turned]),
   }];
 }

@@ -275,7 +275,7 @@ export default {
     const judged = answer.load_sharing ? "load_sharing" : "contact_force";
     return [
       cell(message("verdict.peak"), answer[judged], (section) => peakCell(section, input, judged)),
-      cell(message("verdict.pairs"), answer.cyclogram, (section) => pairsCell(section, answer.load_sharing)),
+      cell(message("figure.driving"), answer.cyclogram, (section) => pairsCell(section, answer.load_sharing)),
       cell(quantityTitle("max_pressure_MPa"), answer.hertz, (section) => pressureCell(section, input)),
     ];
   },

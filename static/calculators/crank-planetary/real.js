@@ -72,7 +72,7 @@ export function cells({ over_turn: turn, ideal }) {
 export function rows({ over_turn: turn, clearance_mm: clearance }, { lost_motion_torque_share: share = 0.03 }) {
   const own = (name) => [quantityTitle(name, "load_sharing"), written(turn, name, 4)];
   return [
-    [message("real.clearance"), formatQuantity(clearance, "mm", 4)],
+    [message("choice.play.radial"), formatQuantity(clearance, "mm", 4)],
     [message("real.lostMotion", { share: formatNumber(100 * share, 3) }), written(turn, "lost_motion_arcmin", 4)],
     own("transmission_error_arcmin"),
     own("unloaded_transmission_error_arcmin"),

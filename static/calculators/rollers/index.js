@@ -3,6 +3,7 @@ import { enduranceOf, requestOf } from "../../lib/fatigue.js";
 import { cell, stated } from "../../lib/verdict.js";
 import { formatNumber, written } from "../../lib/format.js";
 import { message, quantityTitle } from "../../messages/index.js";
+import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
 import { sentences } from "./sentences.js";
 
@@ -73,7 +74,7 @@ export default {
   verdict: ({ roller_strength: section }) => [
     cell(quantityTitle("max_force_N"), section, forceCell),
     cell(message("verdict.nonuniformity"), section, sharingCell),
-    cell(message("verdict.bendingStress"), section, stressCell),
+    cell(figureText("bending_stress"), section, stressCell),
   ],
 
   elsewhere: [],
