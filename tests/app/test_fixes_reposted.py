@@ -153,21 +153,6 @@ async def test_where_one_input_is_enough_several_are_not_named(api: Any) -> None
     assert "fixes" not in await api.answer(PATH, failing(1)[0] | {"include": ["combined"]})
 
 
-async def test_the_largest_torque_holds_where_it_is_reposted(api: Any) -> None:
-    known = 0
-    for body in DESIGNS:
-        answer = await api.answer(PATH, body | {"include": ["largest_torque"]})
-        if "largest_torque_Nm" not in answer:
-            continue
-        known += 1
-        found = answer["largest_torque_Nm"]
-        for part, fails in ((1, False), (1.01, True)):
-            there = applied(body, {"/load/output_torque_Nm": found * part})
-            after = await api.answer(PATH, there | {"include": ["checks"]})
-            assert (after["counts"]["fail"] > 0) == fails
-    assert known >= len(DESIGNS) // 2
-
-
 RING = next(each["input"] for each in EXAMPLES if each["id"] == "cycloid")
 RINGS: dict[str, tuple[dict[str, Any], set[str]]] = {
     "presses": (

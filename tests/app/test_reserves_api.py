@@ -118,13 +118,6 @@ async def test_a_reserve_lies_between_a_torque_that_holds_and_one_that_fails(api
         assert there["status"] == "fail" or there["reason"]["code"] == "range_decides"
 
 
-@pytest.mark.parametrize("name", DESIGNS)
-async def test_what_is_beyond_its_limit_has_a_reserve_below_1(api, name):
-    for code, each in (await checks_of(api, DESIGNS[name])).items():
-        if "torque_reserve" in each and each.get("utilisation", 0) > 1:
-            assert each["torque_reserve"] < 1, code
-
-
 @pytest.mark.parametrize(
     "impossible",
     [

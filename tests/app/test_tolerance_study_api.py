@@ -313,16 +313,6 @@ async def test_classes_and_limits_of_the_same_width_are_the_same(api):
     assert other["quantities"]["peak_force_N"]["mean"] != pytest.approx(found[0], rel=SEARCHED)
 
 
-async def test_pieces_that_press_are_counted_and_fail(api):
-    tight = changed(contact=CHECKED["contact"] | {"hole_clearance_mm": 0.012})
-    answer = await api.answer(PATH, tight | {"limits": {"peak_force_N": 1e9}})
-    pressed = answer["cannot_assemble"]["value"]
-    assert 0 < pressed < 1 and answer["fits"] == round(30 * (1 - pressed))
-    assert answer["cannot_work"] == 0
-    kept = answer["quantities"]["peak_force_N"]["yield"]
-    assert kept["value"] == pytest.approx(1 - pressed)
-
-
 async def test_a_diameter_beyond_the_table_is_refused(api):
     body = changed({"pin_diameter": {"class": "m6"}})
     body["load"] |= {"pin_circle_radius_mm": 4000}

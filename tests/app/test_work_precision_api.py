@@ -1,6 +1,8 @@
 """Error against run time over REST."""
 
+import json
 import math
+from pathlib import Path
 
 import plotly.graph_objects as go
 import pytest
@@ -12,6 +14,7 @@ from app.registry import CALCULATIONS
 from app.settings import Settings
 from core.errors import InvalidInput
 from core.precision import CLASSES, EXACT, JUDGED
+from tests.inputs.bodies import changed
 
 pytestmark = pytest.mark.anyio
 
@@ -108,46 +111,52 @@ async def test_simpson_converges_with_the_fourth_power(api):
     assert rate == pytest.approx(4, abs=0.3)
 
 
-async def test_samples_miss_the_real_peak_downwards_and_narrowed_summits_do_not(api):
-    body = {"calculation": "load-sharing", "input": REQUESTS["load-sharing"]}
+RING = changed(REQUESTS["ring-mesh"], mechanism={"satellites": 1}, deviations=None) | {
+    "deviations": {"ring_pin_radial_mm": [0.005] + 19 * [0.0]}
+}
+BOTH = json.loads((Path(__file__).parents[1] / "oracles/series_cases.json").read_text())[1]["body"]
+STAGES = {
+    "output pins": ("load-sharing", REQUESTS["load-sharing"], 20),
+    "ring alone": ("ring-mesh", RING, 20),
+    "both meshes": ("load-sharing", changed(BOTH, geometry=None), 5),
+}
+"""Designs, with how many times as far off the fewest samples are as the most."""
+
+
+@pytest.mark.parametrize("stage", STAGES)
+async def test_samples_miss_the_real_peak_downwards_and_narrowed_summits_do_not(api, stage):
+    calculation, design, times = STAGES[stage]
+    body = {"calculation": calculation, "input": design}
     answer = (await api.post("work-precision", json=body)).json()
     assert answer["reference"]["digits"] == 12
     assert answer["chosen"] in answer["points"]
-    assert answer["chosen"]["relative_error"] < 1e-9
-    sampling = [point for point in answer["points"] if point["method"] == "sampling"]
-    assert [point["evaluations"] for point in sampling] == [24, 60, 120, 360, 720, 1440]
-    errors = [point["relative_error"] for point in sampling]
-    assert (
-        errors == pytest.approx(sorted(errors, reverse=True), rel=EXACT)
-        and errors[0] > 20 * errors[-1] > 0
-    )
-
-
-async def test_positions_of_a_ring_miss_its_peak_downwards(api):
-    own = REQUESTS["ring-mesh"] | {"deviations": {"ring_pin_radial_mm": [0.005] + 19 * [0.0]}}
-    own["mechanism"] = own["mechanism"] | {"satellites": 1}
-    body = {"calculation": "ring-mesh", "input": own}
-    answer = (await api.post("work-precision", json=body)).json()
-    assert answer["reference"]["digits"] == 12
     sampling = [point for point in answer["points"] if point["method"] == "sampling"]
     errors = [point["relative_error"] for point in sampling]
-    assert errors[0] > 20 * errors[-1] > 0
-    assert answer["chosen"] in answer["points"]
-    assert answer["chosen"]["relative_error"] < 1e-9
-    many = own | {"mechanism": own["mechanism"] | {"satellites": 7}}
-    refused = (await api.post("work-precision", json=body | {"input": many})).json()["errors"]
-    assert refused[0]["pointer"] == "/input/mechanism/ring_teeth"
-    teeth = {"gear": {"kind": "involute", "module_mm": 2, "contact_length_mm": 10}}
-    refused = (await api.post("work-precision", json=body | {"input": own | teeth})).json()
-    assert refused["errors"][0]["pointer"].startswith("/input/gear")
+    assert errors[0] > times * errors[-1] > 0
+    assert answer["chosen"]["relative_error"] < min(1e-6, errors[-1])
+    if stage == "output pins":
+        assert [point["evaluations"] for point in sampling] == [24, 60, 120, 360, 720, 1440]
+        assert errors == pytest.approx(sorted(errors, reverse=True), rel=EXACT)
+        assert answer["chosen"]["relative_error"] < 1e-9
 
 
-async def test_a_study_of_the_real_peak_has_a_limit(api):
-    own = REQUESTS["load-sharing"]
-    many = {**own, "mechanism": {**own["mechanism"], "pins": 61}, "deviations": {}}
-    response = await api.post("work-precision", json={"calculation": "load-sharing", "input": many})
-    error = response.json()["errors"][0]
-    assert (error["pointer"], error["params"]["limit"]) == ("/input/mechanism/pins", 60)
+@pytest.mark.parametrize(
+    ("stage", "changes", "pointer"),
+    [
+        ("output pins", {"mechanism": {"pins": 61}, "deviations": None}, "/input/mechanism/pins"),
+        ("ring alone", {"mechanism": {"satellites": 7}}, "/input/mechanism/ring_teeth"),
+        (
+            "both meshes",
+            {"mechanism": {"satellites": 5}, "deviations": None},
+            "/input/mechanism/ring_teeth",
+        ),
+    ],
+)
+async def test_a_study_of_the_real_peak_has_a_limit(api, stage, changes, pointer):
+    calculation, design, _ = STAGES[stage]
+    body = {"calculation": calculation, "input": changed(design, **changes)}
+    error = (await api.post("work-precision", json=body)).json()["errors"][0]
+    assert (error["pointer"], error["code"]) == (pointer, "too_many_pairs")
 
 
 PIECES = {**REQUESTS["tolerance-study"], "crank_angles": 12, "percentiles": [50], "limits": {}}
