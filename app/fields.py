@@ -41,6 +41,7 @@ from app.model import (
 from app.rules import Rule
 from app.units import Convert, from_si
 from core.design.stated import filled as filled_by_core
+from core.design.stated import fills
 from core.design.stated import section as section_of
 from core.fields import Input, Variants, help_of
 
@@ -135,9 +136,13 @@ class SectionFields(RequestModel):
     @property
     def filled(self) -> Values:
         """Values that core takes for fields that are not given."""
-        usual = filled_by_core(kind=self.kind_of_core, stated=self.stated)
-        named = core_names(type(self)).items()
-        return {name: from_si(name, usual[core]) for name, core in named if core in usual}
+        kind = self.kind_of_core
+        if not fills(kind):
+            return {}
+        named, own = core_names(type(self)), vars(self)
+        typed = {named[name]: own[name] for name in self.model_fields_set}  # units do not matter
+        usual = filled_by_core(kind=kind, stated=typed)
+        return {name: from_si(name, usual[core]) for name, core in named.items() if core in usual}
 
 
 class RequestField(NamedTuple):

@@ -310,12 +310,13 @@ class RequestModel(BaseModel):
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Path and value of each field that is assumed, as it is not given."""
+        for name in self.ASSUMED:
+            if name in self.given and name not in self.model_fields_set:
+                yield (name,), self.given[name]
         for name, value in self.given.items():
-            if name in self.ASSUMED and name not in self.model_fields_set:
-                yield (name,), value
-        for name, value in self.given.items():
-            for place, part in _parts(value):
-                yield from (((name, *place, *path), inner) for path, inner in part.assumed())
+            if isinstance(value, (RequestModel, list)):
+                for place, part in _parts(value):
+                    yield from (((name, *place, *path), inner) for path, inner in part.assumed())
 
     def without(self, path: tuple[str, ...]) -> "Values":
         """Values of the answer without an assumption, if they are quickly calculated."""

@@ -75,6 +75,12 @@ def material(stated: str | ElasticMaterial) -> ElasticMaterial:
     return MATERIALS[stated].material if isinstance(stated, str) else stated
 
 
+@cache
+def fills(kind: Any) -> bool:
+    """True if a kind of section has values that are taken where they are not stated."""
+    return "name" in _names(kind) or kind in USUAL_MATERIALS
+
+
 def filled(*, kind: Any, stated: Values) -> dict[str, Any]:
     """Values that are taken for those that are not stated: of a bearing's name, and materials."""
     usual: dict[str, Any] = {}
