@@ -17,6 +17,9 @@ ONE, BASE = (
     {name: each for name, each in case["body"].items() if name != "geometry"} for case in CASES[:2]
 )
 
+PLAIN = changed(BASE, deviations=None) | {"deviations": {"disc_phase_deg": [0.0, 0.02]}}
+"""One disc ahead: with pins that deviate the room over all turns takes a second a request."""
+
 
 async def test_curves_pass_through_the_positions(api):
     named = ["positions", "curves", "stiffness_curve", "ideal", "pressure", "worked"]
@@ -44,31 +47,32 @@ async def test_curves_pass_through_the_positions(api):
 async def test_the_ring_gives_by_its_own_law(api):
     """Hertz's where none is named, and what its seats give."""
     lags = [
-        (await api.answer(PATH, changed(BASE, gear=change)))["positions"][0]["ring"][
+        (await api.answer(PATH, changed(PLAIN, gear=change)))["positions"][0]["ring"][
             "rotation_arcmin"
         ][0]
         for change in (
             {"contact_law": {"kind": "hertz"}},
             {"contact_law": {}},
             {"contact_law": {"kind": "hertz", "reference_depth_mm": 6.0}},
+            {},
             {"seat_stiffness_N_per_mm": 2e5},
         )
     ]
-    assert lags[0] == lags[1] < lags[2] and lags[3] > 2.199109504
-    body = changed(BASE, gear__contact_law=None, gear__modification=None)
+    assert lags[0] == lags[1] < lags[2] and lags[3] < lags[4]
+    body = changed(PLAIN, gear__contact_law=None, gear__modification=None)
     answer = await api.answer(PATH, body)
     assert "modification_unknown" in [each["code"] for each in answer["warnings"]]
     assert "ring" not in answer["positions"][0]
-    body = changed(BASE, gear__pin_material=None)
+    body = changed(PLAIN, gear__pin_material=None)
     assumed = (await api.answer(PATH, body))["assumed"]
     assert [each["pointer"] for each in assumed] == ["/gear/pin_material"]
 
 
 async def test_both_meshes_are_in_series_unless_the_coupling_says_otherwise(api):
-    plain = await api.answer(PATH, BASE)
-    unsaid = await api.answer(PATH, changed(BASE, satellite_coupling=None))
+    plain = await api.answer(PATH, PLAIN)
+    unsaid = await api.answer(PATH, changed(PLAIN, satellite_coupling=None))
     assert unsaid["positions"] == plain["positions"]
-    rigid = await api.answer(PATH, BASE | {"satellite_coupling": {"kind": "rigid"}})
+    rigid = await api.answer(PATH, PLAIN | {"satellite_coupling": {"kind": "rigid"}})
     assert "ring" not in rigid["positions"][0]
 
 
@@ -85,9 +89,9 @@ async def test_a_torque_that_alternates_is_answered_by_its_worse_direction(api):
 
 async def test_of_the_ring_as_output_the_lag_is_its_own(api):
     """Torque on the pins and angles relative to the pins are equal."""
-    pins = (await api.answer(PATH, BASE))["positions"][0]
+    pins = (await api.answer(PATH, PLAIN))["positions"][0]
     load = {"output_torque_Nm": 240 * 21 / 20}
-    ring = (await api.answer(PATH, changed(BASE, mechanism={"output": "ring"}, load=load)))[
+    ring = (await api.answer(PATH, changed(PLAIN, mechanism={"output": "ring"}, load=load)))[
         "positions"
     ][0]
     assert ring["rotation_arcmin"] == pytest.approx(pins["rotation_arcmin"] * 20 / 21)
@@ -136,30 +140,30 @@ TIED = {
 
 
 async def test_what_gives_besides_joins_the_series(api):
-    """Bearings let discs float, a tie ring evens out: softer than without, forces move by as much
-    as a bearing or a pin gives.
+    """Bearings let discs float, a tie ring evens out: the output lags more than without, and forces
+    move by as much as a bearing or a pin gives.
     """
-    plain = (await api.answer(PATH, changed(BASE)))["positions"][0]
+    plain = (await api.answer(PATH, PLAIN))["positions"][0]
     for more in (
         {"crank_support": BEARINGS},
         {"crank_support": {"radial_clearance_mm": 0.012}},
         {"pin": TIED},
         {"crank_support": BEARINGS, "pin": TIED},
     ):
-        found = (await api.answer(PATH, changed(BASE, **more)))["positions"][0]
-        assert found["stiffness_Nm_per_arcmin"] < plain["stiffness_Nm_per_arcmin"]
+        found = (await api.answer(PATH, changed(PLAIN, **more)))["positions"][0]
+        assert found["rotation_arcmin"] > plain["rotation_arcmin"]
         moved = [a - b for a, b in zip(found["force_N"][0], plain["force_N"][0], strict=True)]
         assert max(map(abs, moved)) > 1.0
         play = [row["play_arcmin"][1] - row["play_arcmin"][0] for row in (found, plain)]
         wider = play[0] - play[1]
         assert wider > 0.5 if "crank_support" in more else wider == pytest.approx(0, abs=1e-9)
     stiff = {"stiffness_N_per_mm": 1e12}
-    near = (await api.answer(PATH, changed(BASE, crank_support=stiff)))["positions"][0]
+    near = (await api.answer(PATH, changed(PLAIN, crank_support=stiff)))["positions"][0]
     assert near["force_N"][0] == pytest.approx(plain["force_N"][0], rel=SEARCHED, abs=1e-3)
 
 
 async def test_over_all_turns_of_discs_that_float(api):
-    one = changed(BASE, include=["over_turn"], deviations=None)
+    one = changed(PLAIN, include=["over_turn"])
     plain = (await api.answer(PATH, one))["over_turn"]
     floats = (await api.answer(PATH, one | {"crank_support": BEARINGS}))["over_turn"]
     assert floats["backlash_max_arcmin"] > plain["backlash_max_arcmin"] + 0.5
@@ -168,7 +172,7 @@ async def test_over_all_turns_of_discs_that_float(api):
 
 
 async def test_the_figure(api):
-    figure = await api.post(f"{PATH}/chart", json=BASE)
+    figure = await api.post(f"{PATH}/chart", json=PLAIN)
     assert figure.status_code == 200
     names = [trace["name"] for trace in figure.json()["data"]]
     assert names.count("1.1") == 2

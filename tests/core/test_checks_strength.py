@@ -22,7 +22,6 @@ from core.errors import InvalidInput
 from core.fixes.changes import value_of, vary
 from core.hertz import ElasticMaterial
 from core.material_table import MATERIALS
-from core.output.elasticity import LinearLaw
 from core.output.room import Deviations
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from tests.inputs.checks import REF, WHOLE, check_of, fixes_of, having, says
@@ -182,21 +181,6 @@ def test_slope_and_deflection() -> None:
             assert (found.status, found.limit) == (status, limit)
             assert found.torque_reserve == pytest.approx(share, rel=EXACT)
             assert found.at == {"satellite": 1}
-
-
-def test_the_slope_concentrates_the_pressure() -> None:
-    """The far satellite: s*b/(2*d) is far above 1, so that K_b = sqrt(2*s*b/d)."""
-    law = LinearLaw(stiffness=1e9)
-    bent = one_at(0.037, contact_law=law)
-    even, found = (
-        Results(bent).contact_at(1.0).max_pressure,
-        check_of("contact_pressure_hole", bent),
-    )
-    assert found.value is not None
-    loads = Results(bent).pin_loads
-    factor = math.sqrt(2 * loads.deflection.slope * 0.02 * 1e9 / Results(bent).judged_forces.force)
-    assert found.value / even == pytest.approx(math.sqrt(factor), rel=1e-4)
-    assert found.at["satellite"] == 1
 
 
 def test_friction() -> None:

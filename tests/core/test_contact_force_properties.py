@@ -51,41 +51,6 @@ def cosines(mechanism: Mechanism, phi: float) -> np.ndarray:  # type: ignore[typ
     return found
 
 
-@given(mechanisms(), exponents, st.floats(-7.0, 7.0))
-def test_forces_are_in_equilibrium_with_the_torque(
-    mechanism: Mechanism, exponent: float, phi: float
-) -> None:
-    # sum F*R*cos(gamma) = T, in units of F0*R = T. The angles of the sum have rounding of their
-    # own: 1e-15 of up to 80 rad of wave, through v times the slope of the forces.
-    found = force_ratios(
-        mechanism=mechanism, crank_angles=np.array([phi]), force_exponent=exponent
-    )[0]
-    assert (found >= 0).all()
-    assert (found * cosines(mechanism, phi)).sum() == pytest.approx(1.0, abs=1e-12)
-
-
-@given(mechanisms(), exponents)
-def test_no_sample_of_the_turn_exceeds_the_peak(mechanism: Mechanism, exponent: float) -> None:
-    peak = peak_force(mechanism=mechanism, force_exponent=exponent)
-    wave = np.linspace(0, 2 * math.pi / (1 + 1 / mechanism.ratio), 2001)
-    forces = force_ratios(mechanism=mechanism, crank_angles=wave, force_exponent=exponent)
-    excess = float(forces.max()) / peak.peak_force_ratio - 1
-    # grid and peak see the phases with 1e-15 of rounding each, and as merged within 6e-12 rad
-    assert excess <= peak.accuracy.relative_error + 1e-13 * (1 + exponent)
-    # and the sampled maximum is not far below, unless the peak is too narrow for the grid
-    assert excess >= -0.004 * (1 + exponent)
-
-
-@given(st.floats(0, 1e6), st.floats(1e-3, 10), st.floats(0.1, 100), st.floats(0.01, 1.0))
-def test_torque_and_reference_force(
-    torque: float, radius: float, ratio: float, efficiency: float
-) -> None:
-    force = reference_force(output_torque=torque, pin_circle_radius=radius)
-    assert force * radius == pytest.approx(torque, rel=CONVERGED)
-    output = output_torque_from_input(input_torque=torque, ratio=ratio, efficiency=efficiency)
-    assert output == pytest.approx(torque * ratio * efficiency, rel=CONVERGED)
-
-
 @pytest.mark.parametrize("exponent", [-1.0, -1e-300, math.nan, math.inf, 1e300])
 def test_exponents_that_mean_nothing_are_refused(exponent: float) -> None:
     mechanism = Mechanism.evenly_spaced(pins=3, satellites=2, ratio=20.0)

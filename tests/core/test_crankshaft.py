@@ -119,22 +119,6 @@ def test_curves_have_the_direction_of_the_reactions() -> None:
 MASS = {"satellite_mass": 1.5, "input_speed": 50 * math.pi}
 
 
-def test_balance() -> None:
-    one = LOAD | {"mesh": MESH, "mechanism": spaced(6, 1), "satellite_positions": (0.031,)}
-    found = crankshaft(**one, bearing_positions=(0.0, 0.062), **MASS).balance
-    assert f"{found.force:.4f}" == "74.0220"
-    assert found.couple == pytest.approx(0, abs=1e-12)
-    assert found.unbalance == pytest.approx(0.003, rel=CONVERGED)
-    assert [each.unbalance for each in found.corrections] == pytest.approx([0.0015] * 2)
-    two = crankshaft(**REF, **MASS).balance
-    assert two.force == pytest.approx(0, abs=1e-12)
-    assert f"{two.couple:.6f}" == "1.628485"
-    three = REF | {"mechanism": spaced(6, 3), "satellite_positions": (0.009, 0.031, 0.053)}
-    found = crankshaft(**three, **MASS).balance
-    assert found.couple == pytest.approx(1.628485 * math.sqrt(3), rel=SEARCHED)
-    assert found.force == pytest.approx(0, abs=1e-12)
-
-
 def test_a_bearing_that_holds_nothing() -> None:
     """The satellite on one bearing leaves nothing for the other: no load, no life, no failure."""
     one = LOAD | {"mesh": MESH, "mechanism": spaced(6, 1), "dynamic_ratings": (30e3, 30e3)}

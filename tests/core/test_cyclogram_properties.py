@@ -8,8 +8,7 @@ from hypothesis import strategies as st
 
 from core.errors import InvalidInput
 from core.output.contact_force import cyclogram
-from core.output.mechanism import Mechanism, assembly_angles, ratio_from_teeth
-from core.precision import EXACT
+from core.output.mechanism import Mechanism, ratio_from_teeth
 
 angles = st.one_of(
     st.floats(-20.0, 20.0),
@@ -72,34 +71,6 @@ def test_dead_zones_are_where_the_count_is_nought(mechanism: Mechanism, turns: f
         assert zone[1] in result.dead_centres
     if result.min_driving == 0 and turns * (1 + 1 / mechanism.ratio) > 1.01:
         assert result.dead_centres
-
-
-@given(
-    st.integers(1, 6),
-    st.integers(1, 300),
-    st.integers(1, 9),
-    st.integers(1, 13),
-)
-def test_assembly_rotations_are_within_half_a_pitch(
-    satellites: int, teeth: int, more: int, pins: int
-) -> None:
-    ratio = ratio_from_teeth(satellite_teeth=teeth, ring_teeth=teeth + more)
-    assert ratio == teeth / more
-    mechanism = Mechanism.evenly_spaced(pins=pins, satellites=satellites, ratio=ratio)
-    found = assembly_angles(mechanism=mechanism, satellite_teeth=teeth)
-    pitch = 2 * math.pi / teeth
-    assert [a.satellite for a in found] == list(range(1, satellites + 1))
-    assert found[0].hole_rotation == 0.0
-    assert found[0].identical
-    for j, angle in enumerate(found):
-        assert abs(angle.hole_rotation) <= pitch / 2 * (1 + 1e-12)
-        # alpha_j/u = j*2*pi/K*(z3 - z2)/z2 = j*(z3 - z2)/K pitches: whole ones turn nothing
-        if j * more % satellites == 0:
-            assert angle.hole_rotation == 0.0
-            assert angle.identical
-        else:
-            part = (j * more % satellites) / satellites
-            assert abs(angle.hole_rotation) == pytest.approx(min(part, 1 - part) * pitch, rel=EXACT)
 
 
 @pytest.mark.parametrize(

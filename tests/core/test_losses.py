@@ -188,36 +188,6 @@ def test_the_mean_does_not_depend_on_where_the_crank_starts(
         assert getattr(one, name) == pytest.approx(getattr(other, name), rel=error)
 
 
-@given(
-    mechanism=mechanisms(),
-    factor=st.floats(0.1, 10),
-    coefficient=st.floats(0, 1),
-    share=st.floats(0.1, 0.99),
-)
-def test_how_the_loss_grows(
-    mechanism: Mechanism, factor: float, coefficient: float, share: float
-) -> None:
-    design = REFERENCE | {"friction_coefficient": coefficient}
-    one = pin_losses(mechanism=mechanism, **design)
-    assert 0 < one.min_efficiency <= one.efficiency <= one.max_efficiency <= 1
-    # energy: what goes in is what comes out and what is lost
-    lost = one.output_power * (1 / one.efficiency - 1)
-    assert lost == pytest.approx(one.mean_loss, rel=SAME, abs=1e-12 * one.output_power)
-    torque = pin_losses(mechanism=mechanism, **design | {"output_torque": 500.0 * factor})
-    assert torque.mean_loss == pytest.approx(factor * one.mean_loss, rel=CONVERGED)
-    assert torque.efficiency == pytest.approx(one.efficiency, rel=CONVERGED)
-    assert torque.pin_wear == pytest.approx(factor * one.pin_wear, rel=CONVERGED)
-    speed = pin_losses(
-        mechanism=mechanism, **design | {"input_speed": factor * design["input_speed"]}
-    )
-    assert speed.efficiency == one.efficiency
-    assert speed.peak_pv == pytest.approx(factor * one.peak_pv, rel=CONVERGED)
-    sleeved = pin_losses(mechanism=mechanism, **design | {"rubbing": Sleeves(0.016 * share)})
-    assert sleeved.mean_loss == pytest.approx(share * one.mean_loss, rel=CONVERGED)
-    assert sleeved.sliding_speed == pytest.approx(share * one.sliding_speed, rel=CONVERGED)
-    assert sleeved.friction_couple == pytest.approx(share * one.friction_couple, rel=CONVERGED)
-
-
 @pytest.mark.parametrize("ratio", [20.0, 0.5])
 @pytest.mark.parametrize("angle", [0.1, 2.0])
 def test_sliding_speed_is_that_of_the_satellite_against_the_output(

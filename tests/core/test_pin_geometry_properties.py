@@ -9,7 +9,6 @@ from hypothesis import strategies as st
 
 from core.errors import InvalidInput
 from core.output.mechanism import Mechanism, PinGeometry, pin_fit, pin_geometry
-from core.precision import CONVERGED, SAME
 
 angles = st.one_of(st.floats(-20.0, 20.0), st.integers(-48, 48).map(lambda k: math.radians(15 * k)))
 
@@ -38,41 +37,6 @@ def sizes(draw: st.DrawFn) -> dict[str, float]:
         "hole_radius": pin_radius + eccentricity,
         "eccentricity": eccentricity,
     }
-
-
-@given(mechanisms(), st.floats(-50.0, 50.0), sizes())
-def test_contact_points_lie_on_pin_and_hole(
-    mechanism: Mechanism, phi: float, size: dict[str, float]
-) -> None:
-    found = pin_geometry(mechanism=mechanism, crank_angle=phi, **size)
-    radius, e = size["pin_circle_radius"], size["eccentricity"]
-    assert found.pin_centres.shape == (mechanism.pins, 2)
-    assert found.hole_centres.shape == (mechanism.satellites, mechanism.pins, 2)
-    assert found.contact_points.shape == found.hole_centres.shape
-    tiny = 1e-15 * radius * 4
-    from_axis = np.linalg.norm(found.pin_centres, axis=1)
-    assert from_axis == pytest.approx(radius, rel=CONVERGED)
-    from_pin = np.linalg.norm(found.contact_points - found.pin_centres, axis=2)
-    assert from_pin == pytest.approx(size["pin_radius"], abs=tiny)
-    from_hole = np.linalg.norm(found.contact_points - found.hole_centres, axis=2)
-    assert from_hole == pytest.approx(size["hole_radius"], abs=tiny)
-    apart = np.linalg.norm(found.hole_centres - found.pin_centres, axis=2)
-    assert apart == pytest.approx(e, abs=tiny)
-    assert found.clearance == 0.0
-    assert {n.code for n in found.notices} <= OF_THE_CIRCLE
-
-
-@given(mechanisms(), st.floats(-50.0, 50.0), sizes())
-def test_holes_of_a_satellite_are_one_rigid_circle(
-    mechanism: Mechanism, phi: float, size: dict[str, float]
-) -> None:
-    # centred on the crank, at e*(sin, cos) of the crank's own angle
-    found = pin_geometry(mechanism=mechanism, crank_angle=phi, **size)
-    for j, alpha in enumerate(mechanism.crank_angles):
-        crank = phi + alpha + mechanism.initial_crank_angle
-        centre = size["eccentricity"] * np.array([math.sin(crank), math.cos(crank)])
-        offset = np.linalg.norm(found.hole_centres[j] - centre, axis=1)
-        assert offset == pytest.approx(size["pin_circle_radius"], rel=SAME)
 
 
 @given(mechanisms(), st.floats(-50.0, 50.0), sizes())

@@ -17,7 +17,6 @@ from core.output.elasticity import (
     LinearLaw,
     PinSupport,
     PowerLaw,
-    pin_compliance,
 )
 from core.output.loaded_position import LoadedPosition
 from core.output.mechanism import Mechanism
@@ -209,30 +208,10 @@ def test_what_is_refused(changes: dict, parameter: str) -> None:
     assert refusal.value.parameter == parameter
 
 
-def test_clamped_pins_bend_least() -> None:
-    held = [
-        pin_compliance(PinSupport(support, 0.006, (0.02,), STEEL, 0.05))[0]
-        for support in ("cantilever", "supported", "fixed")
-    ]
-    assert held == sorted(held, reverse=True)
-    # In the middle of clamped ends, without shear, a quarter of simple supports.
-    slender = [
-        pin_compliance(PinSupport(support, 1e-4, (0.5,), STEEL, 1.0))[0]
-        for support in ("supported", "fixed")
-    ]
-    assert slender[0] / slender[1] == pytest.approx(4, rel=SEARCHED)
-
-
 def test_equal_pressing_is_seen_over_the_turn() -> None:
     found = over_turn(real=design(clearance=-1e-5, exact=False), output_torque=1.0)
     assert found.pressed_without_load
     assert found.backlash_max == found.backlash_min == found.unloaded_transmission_error == 0
-
-
-@pytest.mark.parametrize("share", [0.0, 1.1])
-def test_the_share_of_lost_motion(share: float) -> None:
-    with pytest.raises(InvalidInput):
-        over_turn(real=design(), output_torque=1.0, lost_motion_share=share)
 
 
 def test_spikes_are_not_between_the_positions() -> None:

@@ -222,18 +222,8 @@ def test_what_is_out_of_range_is_refused(changes: dict[str, Any], name: str, cod
 
 @pytest.mark.parametrize("torque", [0.0, math.nan])
 def test_a_torque_has_to_be_one(torque: float) -> None:
-    for calculate in (
-        lambda: at(mesh_of(), 0.0, torque),
-        lambda: mesh_over_turn(mesh=mesh_of(), output_torque=torque),
-    ):
-        with pytest.raises(InvalidInput, match="output_torque"):
-            calculate()
-
-
-@pytest.mark.parametrize("share", [0.0, 1.5])
-def test_the_share_of_the_lost_motion_is_one(share: float) -> None:
-    with pytest.raises(InvalidInput, match="lost_motion_share"):
-        mesh_over_turn(mesh=mesh_of(), output_torque=1.0, lost_motion_share=share)
+    with pytest.raises(InvalidInput, match="output_torque"):
+        at(mesh_of(), 0.0, torque)
 
 
 def test_deviations_that_leave_nothing_are_impossible() -> None:

@@ -1,7 +1,9 @@
 """Both meshes over all turns of the crank: known turns of one stage, a dense walk, refusals."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -129,16 +131,24 @@ def test_parts_that_press_have_no_backlash() -> None:
     assert "pressed_without_load" in [each.code for each in turn.notices]
 
 
+@pytest.mark.parametrize("stage", ["output pins", "ring alone", "both meshes"])
 @pytest.mark.parametrize(
     ("torque", "share", "name"),
     [
         (0.0, 0.03, "output_torque"),
+        (math.nan, 0.03, "output_torque"),
         (1.0, 0.0, "lost_motion_share"),
-        (1.0, 2.0, "lost_motion_share"),
+        (1.0, 1.1, "lost_motion_share"),
     ],
 )
-def test_what_is_out_of_range_is_refused(torque: float, share: float, name: str) -> None:
+def test_what_is_out_of_range_is_refused(
+    stage: str, torque: float, share: float, name: str
+) -> None:
+    series = series_of(discs=1, exact=False)
+    solve: Callable[..., Any] = {
+        "output pins": partial(over_turn, real=series.output),
+        "ring alone": partial(mesh_over_turn, mesh=series.ring),
+        "both meshes": partial(series_over_turn, real=series),
+    }[stage]
     with pytest.raises(InvalidInput, match=name):
-        series_over_turn(
-            real=series_of(discs=1, exact=False), output_torque=torque, lost_motion_share=share
-        )
+        solve(output_torque=torque, lost_motion_share=share)
