@@ -97,8 +97,10 @@ async def test_no_largest_torque_is_looked_for_that_nobody_asks(api, include, mo
 
 @pytest.mark.parametrize("seed", seeds(8, 92))
 async def test_a_reserve_lies_between_a_torque_that_holds_and_one_that_fails(api, seed):
-    """By fresh requests, of designs whose contact is beyond its limit, or far below it."""
-    (body,) = failing(1, seed=seed)
+    """By fresh requests, of designs whose contact is beyond its limit, or far below it: with ideal
+    forces, with clearance, with pins that bend.
+    """
+    body = failing(1 + seed % 3, seed=seed)[-1]
     body = times(body, 10 ** random.Random(seed).uniform(-2, 0)) | {
         "include": ["checks", "largest_torque"]
     }
