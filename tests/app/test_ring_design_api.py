@@ -612,7 +612,7 @@ async def test_a_usual_ring_is_answered_where_it_is_asked(api):
         body["load"]["output_torque_Nm"] * crank_verdict(usual.results, largest=True).torque_reserve
     )
     assert found["largest_torque_Nm"] == pytest.approx(torque, rel=SAME)
-    ring = deepcopy(body)
+    ring = deepcopy(body) | {"include": ["usual_modification"]}
     ring["mechanism"]["output"] = "ring"
     ring["load"]["output_torque_Nm"] *= 20 / 19
     turned = (await api.post(PATH, json=ring)).json()["usual_modification"]
