@@ -9,7 +9,6 @@ import numpy as np
 import plotly.graph_objects as go
 import pytest
 
-from app.calculations import design_mesh
 from app.calculations.crank_planetary import solve
 from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.examples import REQUESTS
@@ -222,7 +221,7 @@ def test_discs_stand_on_the_pins_as_they_are_drawn(monkeypatch, deviations, dire
     """Put where the answer says, a fine outline is as far from each pin as its gap says, and turned
     by the lag; where they press it reaches into it.
     """
-    monkeypatch.setattr(design_mesh, "DRAWN_ERROR", 2e-8)
+    monkeypatch.setattr("core.design.drawings.DRAWN_ERROR", 2e-8)
     body = changed(
         DESIGN,
         mechanism=UNEVEN,
@@ -414,7 +413,7 @@ async def test_the_ring_is_told_as_it_works_in_series(api, monkeypatch):
     asked = {"max_ring_backlash_arcmin": 50.0, "max_transmission_error_arcmin": 50.0}
     sections = ["load_sharing", "ring_mesh", "ring_drawing", "checks"]
     body = changed(DESIGN, include=sections, requirements=asked)
-    monkeypatch.setattr(design_mesh, "DRAWN_ERROR", 2e-8)
+    monkeypatch.setattr("core.design.drawings.DRAWN_ERROR", 2e-8)
     answer = solve(CrankPlanetaryRequest.model_validate(body))
     drawn, turn = answer["ring_drawing"], answer["ring_mesh"]["over_turn"]
     angles, period, further = (
