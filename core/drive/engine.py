@@ -204,6 +204,9 @@ MIDDLES = 12
 PLACE = 1e-10
 """Width of the bracket about a summit at which `narrow` ends, rad."""
 
+MET = 2e-3
+"""Width of the bracket about a known summit at which `narrow` ends, rad."""
+
 FLAT = 1e-10
 """Fall from a summit to the places on both sides, over its height, at which `narrow` ends."""
 
@@ -1722,6 +1725,8 @@ def narrow(
     sign: int,
     x: Row,
     y: Row,
+    known: float,
+    at: float,
     torque: float,
     share: float,
     drive: Drive,
@@ -1732,16 +1737,19 @@ def narrow(
     of the height, and the number of places tried: -1 if the place returned has no equilibrium. For
     ``sign`` -1 it is the least value.
 
-    `x` are the places and `y` their heights, times the sign; both are overwritten. The place tried
-    next is that of `summit`, or as far beyond it if it is near the best place, and where nothing
-    higher is expected one so close to the best that the height falls little. Golden section serves
-    at jumps, and where heights are not as expected.
+    `x` are the places and `y` their heights, times the sign; both are overwritten. The search also
+    ends where it closes in on a summit of height `known` at the place `at`; NaN if there is none.
+
+    The place tried next is that of `summit`, or as far beyond it if it is near the best place.
+    Where nothing higher is expected, it is so close to the best that the height falls little.
+    Golden section serves at jumps, and where heights are not as expected.
     """
     play, looks, expected, off = kind in (LOW, HIGH, PLAY), 0, True, math.inf
     while True:
         side = 1 if y[1] < y[3] else 3
         near, fall = FLAT * abs(y[2]), y[2] - y[side]
-        if not (fall > near and x[3] - x[1] > PLACE and looks < HALVINGS):
+        met = x[1] < at < x[3] and y[2] <= known and x[3] - x[1] < MET
+        if met or not (fall > near and x[3] - x[1] > PLACE and looks < HALVINGS):
             return x[2], sign * y[2], fall, looks
         there, height = summit(x, y)
         gap = (x[3] if there > x[2] else x[1]) - x[2]

@@ -9,7 +9,7 @@ other positions narrows summits that may be higher, and the stated error include
 """
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, ClassVar, NamedTuple, Self
 
 import numpy as np
@@ -24,7 +24,7 @@ from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.real_mechanism import RealMechanism
 from core.output.stage import Stage, check_torque
-from core.output.summits import Grid, Summit, all_summits, summits
+from core.output.summits import Grid, Summit, all_summits, height_of, summits
 from core.output.turn import Rows, Turn
 from core.precision import AS_TYPED, SAME
 
@@ -76,13 +76,16 @@ class OverTurn:
             heights = np.maximum(heights, 0.0)
         return Grid(rows["wave"], sign * heights, self.turn.period)
 
-    def _above(self, looked: Grid, kind: int, top: Summit, sign: int = 1) -> tuple[Summit, float]:
-        """Higher one of a summit and the second look's, and the difference of their heights."""
+    def _above(
+        self, looked: Grid, kind: int, found: Sequence[Summit], sign: int = 1
+    ) -> tuple[Summit, float]:
+        """Highest of the first look's summits or of the second's, and the difference of both."""
+        top = max(found, key=height_of)
         place, height, error = second_look(
             places=looked.places,
             heights=looked.heights,
             known=top.height,
-            narrow=self.turn.narrow(kind, sign),
+            narrow=self.turn.narrow(kind, sign, found),
             period=looked.period,
         )
         if height - top.height <= AS_TYPED * abs(top.height):
@@ -96,8 +99,8 @@ class OverTurn:
             self._grid(rows, "force") for rows in (turn.coarse, turn.fine, turn.again)
         )
         before = turn.evaluations
-        found, top, rough = all_summits(coarse=coarse, fine=fine, narrow=turn.narrow(turn.force))
-        top, missed = self._above(again, turn.force, top)
+        found, rough = all_summits(coarse=coarse, fine=fine, narrow=turn.narrow(turn.force))
+        top, missed = self._above(again, turn.force, found)
         found.append(top)
         peak, first = top.height, turn.first
         offs = [
@@ -167,8 +170,7 @@ class OverTurn:
         """Summit of the pressure over the turn."""
         grid = self._grid(self.turn.fine, "pressure")
         tops = summits(grid=grid, narrow=self.turn.narrow(self.turn.pressure))
-        top = max(tops, key=lambda summit: summit.height)
-        return self._above(self._grid(self.turn.again, "pressure"), self.turn.pressure, top)[0]
+        return self._above(self._grid(self.turn.again, "pressure"), self.turn.pressure, tops)[0]
 
     @derived
     def _wraps(self) -> bool:
@@ -213,8 +215,8 @@ class OverTurn:
     def _highest(self, fine: Grid, again: Grid, kind: int, sign: int = 1) -> Summit:
         """Highest summit over the turn, by a grid and a second look at other places."""
         narrow = self.turn.narrow(kind, sign)
-        top = max(summits(grid=fine, narrow=narrow, top=True), key=lambda each: each.height)
-        return self._above(again, kind, top, sign)[0]
+        found = summits(grid=fine, narrow=narrow, top=True)
+        return self._above(again, kind, found, sign)[0]
 
     def _extreme(self, name: str, kind: int, sign: int = 1) -> float:
         """Largest value of a quantity of the positions over the turn, or least for the sign -1."""

@@ -37,7 +37,8 @@ class Grid:
     period: float = 2 * math.pi  # rad
 
 
-def _height(summit: Summit) -> float:
+def height_of(summit: Summit) -> float:
+    """Height of a summit."""
     return summit.height
 
 
@@ -74,7 +75,7 @@ def summits(
     found: list[Summit] = []
     for alike in sorted(seen.values(), key=lambda alike: -ceilings[alike[0]])[:most]:
         i = alike[0]
-        if top and len(found) >= ZOOMED and ceilings[i] <= max(map(_height, found)):
+        if top and len(found) >= ZOOMED and ceilings[i] <= max(map(height_of, found)):
             break
         near = about(places=places, heights=heights, top=i, period=turn)
         same = [each for each in known if near[0][1] <= each.place <= near[0][3]]
@@ -87,22 +88,22 @@ def summits(
     return found
 
 
-def highest(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[Summit, float]:
-    """Highest summit of a function without spikes, and the height that the coarse grid misses.
+def highest(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[list[Summit], float]:
+    """Summits of a function without spikes, the highest one first with the places of all of its
+    height, and the height that the coarse grid misses.
 
     The fine grid has all places of the coarse one.
     """
     found = summits(grid=fine, narrow=narrow, top=True)
     rough = summits(grid=coarse, narrow=narrow, known=found, top=True)
-    top = max(found, key=_height)
+    top = max(found, key=height_of)
     equal = [each.alike for each in found if top.height - each.height <= AS_TYPED * abs(top.height)]
     top = replace(top, alike=tuple(chain.from_iterable(equal)))
-    return top, abs(top.height - max(map(_height, rough)))
+    return [top, *found], abs(top.height - max(map(height_of, rough)))
 
 
-def all_summits(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[list[Summit], Summit, float]:
-    """All summits of two grids, the highest one, and the height by the coarse grid alone."""
+def all_summits(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[list[Summit], float]:
+    """All summits of two grids, and the height by the coarse grid alone."""
     found = summits(grid=coarse, narrow=narrow)
-    rough = max(map(_height, found))
-    found += summits(grid=fine, narrow=narrow, known=found)
-    return found, max(found, key=_height), rough
+    rough = max(map(height_of, found))
+    return found + summits(grid=fine, narrow=narrow, known=found), rough

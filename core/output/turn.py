@@ -15,7 +15,7 @@ from core.drive import engine
 from core.errors import derived
 from core.numerics.extremes import Narrow, other_places
 from core.output.stage import Solved, Stage
-from core.output.summits import Grid
+from core.output.summits import Grid, Summit
 
 POSITIONS = 720
 """Least number of positions of the turn; a multiple of the pairs keeps equal summits equal."""
@@ -169,12 +169,21 @@ class Turn:
         heights: FloatArray = np.sum([each[:, looked] for each in rows], axis=0)
         return Grid(np.array(where), heights, period)
 
-    def narrow(self, kind: int, sign: int = 1) -> Narrow:
-        """Function that finds a read-out's largest value about five places; least for sign -1."""
+    def narrow(self, kind: int, sign: int = 1, known: Sequence[Summit] = ()) -> Narrow:
+        """Function that finds a read-out's largest value about five places; least for sign -1. It
+        closes in no further on known summits.
+        """
         room = self.room
 
         def narrowed(places: FloatArray, heights: FloatArray) -> tuple[float, float, float]:
-            given = kind, sign, places, heights, self.torque, self.share
+            first, last = places[1], places[3]
+            near = (
+                (each.height, first + (place - first) % self.period)
+                for each in known
+                for place in each.alike
+            )
+            least, at = next((each for each in near if each[1] < last), (-math.inf, math.nan))
+            given = kind, sign, places, heights, least, at, self.torque, self.share
             place, height, error, looks = engine.narrow(*given, room.drive, room.work, room.rows[0])
             if looks < 0:
                 status = int(room.rows[0, engine.STATUS])

@@ -146,8 +146,8 @@ class SeriesOverTurn(OverTurn):
         coarse, fine, again = (
             self._grid(rows, name) for rows in (turn.coarse, turn.fine, turn.again)
         )
-        top, missed = highest(coarse=coarse, fine=fine, narrow=turn.narrow(kind))
-        top, more = self._above(again, kind, top)
+        found, missed = highest(coarse=coarse, fine=fine, narrow=turn.narrow(kind))
+        top, more = self._above(again, kind, found)
         return top, missed + more
 
     @derived

@@ -22,7 +22,7 @@ def test_the_highest_is_found_however_low_it_is_on_the_grid(turned):
     places = turned + np.arange(180) * (2 * math.pi / 180)
     heights = np.array([*map(wave, places)])
     coarse = Grid(places[::2], heights[::2])
-    top, _ = highest(coarse=coarse, fine=Grid(places, heights), narrow=narrowing(wave))
+    (top, *_), _ = highest(coarse=coarse, fine=Grid(places, heights), narrow=narrowing(wave))
     assert top.place % (2 * math.pi) == pytest.approx(0.1, abs=1e-6)
     assert top.height == pytest.approx(1 + 2e-4, abs=1e-12)
 

@@ -1,6 +1,7 @@
 """The engine of a drive as its source is, beside the one that is compiled."""
 
 import importlib.util
+import math
 from collections.abc import Callable
 from types import ModuleType
 
@@ -33,7 +34,7 @@ def narrowing(value: Callable[[float], float]) -> Narrow:
 
     def narrow(places: np.ndarray, heights: np.ndarray) -> tuple[float, float, float]:
         vars(searching).update(place=place, placed=placed, straighten=lambda work: None)
-        given = searching.PLAY, 1, places, heights, 1.0, 1.0, None, None, row
+        given = searching.PLAY, 1, places, heights, -math.inf, math.nan, 1.0, 1.0, None, None, row
         *found, narrow.looks = searching.narrow(*given)  # type: ignore[attr-defined]
         return tuple(found)
 
