@@ -11,6 +11,7 @@ from app.calculations.load_sharing import MAX_TURN_PAIRS
 from app.calculations.mechanism import MAX_DRAWN_PAIRS, MAX_PAIRS
 from app.theme import SERIES
 from core.precision import JUDGED, SEARCHED
+from tests.inputs.papers import GEAR, MESH, ROLLERS, SHAFT
 
 pytestmark = pytest.mark.anyio
 
@@ -32,26 +33,6 @@ CHARTS = {
     "crank-planetary": {"mechanism": MECHANISM, "load": LOAD, "contact": CONTACT},
 }
 
-ROLLERS = {
-    "output_torque_Nm": 210,
-    "hole_circle_radius_mm": 30,
-    "rollers": 4,
-    "position_tolerance_mm": 0.002,
-    "diameter_mm": 10,
-    "cylinder_length_mm": 20,
-    "sphere_width_mm": 8,
-    "sphere_diameter_mm": 15,
-    "poissons_ratio": 0.3,
-}
-GEAR = {
-    "roller_circle_radius_mm": 50,
-    "roller_radius_mm": 4,
-    "nutation_angle_deg": 6,
-    "ratio_u12": 0.96,
-    "rollers": [{"position_angle_deg": a, "z_min_mm": 15, "z_max_mm": 25} for a in (30, 90)],
-}
-MESH = {**GEAR, "torque_Nm": 10, "reference_z_mm": 20}
-SHAFT = {**MESH, "bearing_distance_mm": 30, "overhang_mm": 40, "shaft_diameter_mm": 20}
 CHARTS |= {
     "roller-strength": ROLLERS,
     "precession/contact-line": GEAR,

@@ -217,13 +217,6 @@ HOLLOW: dict[str, Any] = {
 }
 
 
-@pytest.mark.parametrize(("bore", "stress"), [(10.0, 361.93114879632), (14.0, 741.15812240237)])
-async def test_bored_pins_bend_as_tubes(api, bore, stress):
-    found = await api.answer("pin-strength", having(HOLLOW, pin={"bore_diameter_mm": bore}))
-    assert found["peak_bending_stress_MPa"] == pytest.approx(stress, rel=SEARCHED)
-    assert found["peak_equivalent_stress_MPa"] == pytest.approx(stress, rel=SEARCHED)
-
-
 async def test_hollow_standoffs_of_an_open_design(api):
     """178.3 N at 3.675 mm of a tube of 5/2.46 mm: 56.7 MPa."""
     body = {

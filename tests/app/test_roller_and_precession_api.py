@@ -5,57 +5,15 @@ import sys
 
 import pytest
 
-from core.precision import CONVERGED, EXACT, JUDGED, SAME
+from core.precision import EXACT, JUDGED, SAME
 from tests.inputs.children import ran
+from tests.inputs.papers import GEAR, MESH, ROLLERS, SHAFT
 
 pytestmark = pytest.mark.anyio
-
-# The 2019 paper's fig. 6 with d = 10 mm: T = 0.001*E*d^3, chi = 2e-4*d.
-ROLLERS = {
-    "output_torque_Nm": 210,
-    "hole_circle_radius_mm": 30,
-    "rollers": 4,
-    "position_tolerance_mm": 0.002,
-    "diameter_mm": 10,
-    "cylinder_length_mm": 20,
-    "sphere_width_mm": 8,
-    "sphere_diameter_mm": 15,
-    "friction_coefficient": 0.16,
-    "youngs_modulus_GPa": 210,
-    "poissons_ratio": 0.3,
-    "stress_concentration": 2,
-}
-GEAR = {
-    "roller_circle_radius_mm": 50,
-    "roller_radius_mm": 4,
-    "nutation_angle_deg": 6,
-    "ratio_u12": 24 / 25,
-    "rollers": [
-        {"position_angle_deg": angle, "z_min_mm": 15, "z_max_mm": 25} for angle in (30, 60, 90, 120)
-    ],
-}
-MESH = {**GEAR, "torque_Nm": 10, "reference_z_mm": 20}
-SHAFT = {**MESH, "bearing_distance_mm": 30, "overhang_mm": 40, "shaft_diameter_mm": 20}
 
 
 def without(body, *names):
     return {name: value for name, value in body.items() if name not in names}
-
-
-async def test_gaps_of_the_worst_case_are_the_tolerance(api):
-    gaps = without(ROLLERS, "position_tolerance_mm") | {"gaps_mm": [0, 0.008, 0.008, 0.008]}
-    by_gaps = (await api.post("roller-strength", json=gaps)).json()
-    by_tolerance = (await api.post("roller-strength", json=ROLLERS)).json()
-    assert by_gaps["forces_N"] == pytest.approx(by_tolerance["forces_N"], rel=CONVERGED)
-    assert by_gaps["relative_position_error"] == pytest.approx(
-        by_tolerance["relative_position_error"], rel=CONVERGED
-    )
-
-
-async def test_beyond_the_limit_one_roller_carries_all(api):
-    body = ROLLERS | {"position_tolerance_mm": 1}
-    answer = (await api.post("roller-strength", json=body)).json()
-    assert (answer["load_nonuniformity"], answer["loaded_rollers"]) == (4, 1)
 
 
 async def test_points_only_where_asked(api):

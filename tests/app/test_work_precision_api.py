@@ -15,23 +15,16 @@ from app.settings import Settings
 from core.errors import InvalidInput
 from core.precision import CLASSES, EXACT, JUDGED
 from tests.inputs.bodies import changed
+from tests.inputs.papers import GEAR, SHAFT
 
 pytestmark = pytest.mark.anyio
 
 MECHANISM = {"pins": 3, "ratio": 20, "crank_spacing_deg": 90}
-GEAR = {
-    "roller_circle_radius_mm": 50, "roller_radius_mm": 4, "nutation_angle_deg": 6,
-    "ratio_u12": 0.96,
-    "rollers": [{"position_angle_deg": a, "z_min_mm": 15, "z_max_mm": 25} for a in (30, 120)],
-}  # fmt: skip
 STUDIES = {
     "peak_force": {**MECHANISM, "output_torque_Nm": 500, "pin_circle_radius_mm": 50},
     "contact_line_length": GEAR,
-    "shaft_deflection": {
-        **GEAR, "torque_Nm": 10, "reference_z_mm": 20,
-        "bearing_distance_mm": 30, "overhang_mm": 40, "shaft_diameter_mm": 20,
-    },
-}  # fmt: skip
+    "shaft_deflection": SHAFT,
+}
 
 
 @pytest.mark.parametrize("calculation", STUDIES)

@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core.design.results import Results
 from core.errors import InvalidInput
 from core.hertz import ElasticMaterial
 from core.output.elasticity import PinSupport, pin_compliance
@@ -112,15 +111,6 @@ def test_the_wall_counts_from_a_bore_of_three_tenths_on() -> None:
 def bored(share: float, **values: object):
     pin = replace(WHOLE.pin, bore_diameter=share * WHOLE.pin.diameter)
     return having(WHOLE, pin=pin, **values)
-
-
-def test_a_bore_makes_pins_weaker_and_softer() -> None:
-    results = [Results(bored(share), equal=True) for share in (0.0, 0.29, 0.6, 0.85)]
-    for name in ("static_stress", "peak_bending_stress", "peak_shear_stress"):
-        values = [getattr(each.pin_strength, name) for each in results]
-        assert values == sorted(values) and values[0] < values[-1], name
-    compliances = [each.real.compliance[1] for each in results]
-    assert compliances == sorted(compliances)
 
 
 def test_the_wall_is_judged_where_the_bore_is_large() -> None:

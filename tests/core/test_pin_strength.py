@@ -33,6 +33,7 @@ from core.output.pin_strength import PinStrength, pin_strength, pin_stresses
 from core.output.sampled_turn import PinSamples
 from core.precision import CONVERGED, EXACT, JUDGED, SAME, SEARCHED
 from tests.inputs.real_mechanisms import PIN, REFERENCE, STRENGTH
+from tests.inputs.satellites import exponents, mechanisms
 
 
 def spaced(pins: int, satellites: int, degrees: float | None = None) -> Mechanism:
@@ -201,18 +202,6 @@ def moments(
     return (weights[:, None] * force[:, -1] * np.exp(1j * angle[:, -1])).sum(axis=0)
 
 
-mechanisms = st.builds(
-    lambda pins, degrees, start: Mechanism(
-        pins=pins,
-        crank_angles=tuple(math.radians(each) for each in degrees),
-        ratio=20.0,
-        initial_crank_angle=math.radians(start),
-    ),
-    pins=st.integers(3, 8),
-    degrees=st.lists(st.integers(0, 359), min_size=1, max_size=3),
-    start=st.integers(0, 359),
-)
-exponents = st.sampled_from([0.0, 0.5, 1.0, 10 / 9, 1.5, 6.0])
 criteria = st.sampled_from(["goodman", "gerber", "soderberg", "fkm_haigh"])
 
 

@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
 from hypothesis import strategies as st
 
 from core.errors import ImpossibleMechanism, InvalidInput
@@ -34,38 +33,6 @@ ROLLERS = st.lists(
     max_size=4,
 )
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(200)
-TORQUES = st.floats(1e-3, 1e4).flatmap(lambda t: st.sampled_from([t, -t]))
-
-
-@given(rollers=ROLLERS, torque=TORQUES, reference_z=st.floats(-0.1, 0.1))
-def test_moment_about_the_axis_is_the_torque(
-    rollers: list[RollerByLength], torque: float, reference_z: float
-) -> None:
-    """M_Cz = M1 and F_z = 0, and not by definition alone: from the line load itself."""
-    load = meshing_load(**GEAR, rollers=rollers, torque=torque, reference_z=reference_z)
-    assert load.moment[2] == torque
-    assert load.force[2] == 0.0
-    force, moment, largest = np.zeros(3), np.zeros(3), 0.0
-    for line in load.lines:
-        z = line.z_min + (line.z_max - line.z_min) * (NODES + 1) / 2
-        curve = line.curve
-        phi = curve.polar_angle(z) + line.flank * math.pi
-        q = line_load(load=load, line=line, z=z)
-        stretch = np.hypot(1.0, curve.slope(z + curve.offset))
-        angle = line.position_angle
-        normal = np.array([np.sin(phi + angle), -np.cos(phi + angle), 0 * z])
-        axis = 0.05 * np.array([-math.sin(angle), math.cos(angle)])
-        place = np.array(
-            [axis[0] + 0.004 * normal[0], axis[1] + 0.004 * normal[1], z - reference_z]
-        )
-        share = (q * stretch * WEIGHTS * (line.z_max - line.z_min) / 2) * normal
-        force += share.sum(axis=1)
-        moment += np.cross(place.T, share.T).sum(axis=0)
-        largest = max(largest, *q)
-    size = max(np.linalg.norm(load.force), abs(torque) / 0.05)
-    assert np.linalg.norm(force - load.force) <= 1e-7 * size
-    assert np.linalg.norm(moment - load.moment) <= 1e-7 * np.linalg.norm(load.moment)
-    assert largest <= load.max_line_load * (1 + 1e-12)
 
 
 def test_the_flank_does_not_change_the_force() -> None:

@@ -13,7 +13,6 @@ from core.precision import CONVERGED, EXACT, SAME
 from core.rollers.roller_curves import roller_curves
 from core.rollers.roller_strength import (
     RollerStrength,
-    load_nonuniformity,
     roller_arguments,
     roller_strength,
     single_roller_limit,
@@ -42,33 +41,6 @@ def without(*names: str) -> dict[str, Any]:
 
 def strength(**inputs: Any) -> RollerStrength:
     return roller_strength(**roller_arguments(**inputs))
-
-
-@given(
-    rollers=st.integers(1, 200),
-    tolerance=st.floats(0, 1e-2),
-    torque=st.floats(1e-3, 1e6),
-    length_ratio=st.floats(1e-3, 1e3),
-)
-def test_equilibrium(rollers: int, tolerance: float, torque: float, length_ratio: float) -> None:
-    result = strength(
-        **DESIGN
-        | {
-            "rollers": rollers,
-            "position_tolerance": tolerance,
-            "output_torque": torque,
-            "cylinder_length": length_ratio * DESIGN["diameter"],
-        }
-    )
-    assert math.fsum(result.forces) == pytest.approx(torque / (2 * 0.03), rel=SAME)
-    assert 1 - 1e-13 <= result.load_nonuniformity <= rollers * (1 + 1e-13)
-    assert result.centre_force == 2 * result.max_force
-    assert result.load_nonuniformity == pytest.approx(
-        load_nonuniformity(relative_position_error=result.relative_position_error, rollers=rollers),
-        rel=SAME,
-    )
-    # the most loaded roller bends by the whole displacement, (5)
-    assert result.max_force == pytest.approx(result.stiffness * result.displacement, rel=SAME)
 
 
 @given(st.lists(st.floats(-1e-4, 1e-4), min_size=1, max_size=30))
