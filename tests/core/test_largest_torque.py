@@ -118,9 +118,8 @@ def test_a_check_is_marginal_where_it_fails_under_a_tenth_more(torque: float) ->
             assert (check.status == "marginal") == (more[check.code].status == "fail")
 
 
-@pytest.mark.parametrize("times", [1e3, 1e5])
-def test_an_overload_without_forces_fails_as_it_does_on_the_way(times: float) -> None:
-    design = having(MADE, output_torque=300.0 * times)
+def test_an_overload_without_forces_fails_as_it_does_on_the_way() -> None:
+    design = having(MADE, output_torque=300.0 * 1e5)
     unknown = crank_checks(Results(design))
     assert unknown.verdict == "incomplete" and not unknown.counts["fail"]
     found = crank_verdict(Results(design), largest=True)

@@ -27,7 +27,7 @@ from core.material_table import MATERIALS
 from core.output.ideal_turn import ideal_turn
 from core.output.loaded_pin import PinLoads
 from core.output.mechanism import Mechanism
-from core.output.pin_beam import PinBeam, section_stress
+from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength, judged
 from core.output.pin_strength import PinStrength, pin_strength, pin_stresses
 from core.output.sampled_turn import PinSamples
@@ -282,59 +282,6 @@ def test_the_shear_force_of_a_cantilever_is_no_less_than_its_last_force() -> Non
     found = pin_strength(**REFERENCE | three)
     assert found.peak_shear_force == pytest.approx(found.peak_force, rel=SAME)
     assert f"{found.peak_shear_force:.2f}" == "4164.11"
-
-
-@pytest.mark.slow
-@given(mechanism=mechanisms, exponent=exponents, thick=st.sampled_from([0.016, 0.1, 1.0]))
-@example(mechanism=spaced(3, 3), exponent=1.0, thick=1.0)
-def test_shear_and_equivalent_stress_of_a_cantilever_by_brute_force(
-    mechanism: Mechanism, exponent: float, thick: float
-) -> None:
-    """At every section; of thick pins the shear decides."""
-    z = np.array(positions(mechanism))
-    given = {"mechanism": mechanism, "force_exponent": exponent, "satellite_positions": tuple(z)}
-    found = pin_strength(**REFERENCE | given | {"diameter": thick})
-    area, modulus = math.pi * thick**2 / 4, math.pi * thick**3 / 32
-    shears, stresses = [], []
-    for x in np.linspace(0, z[-1] + 0.01, 47):
-        beyond = np.clip(z + 0.01 - x, 0, 0.02) / 0.02  # of each load beyond the section
-        arm = z + 0.01 - beyond * 0.01 - x
-        moment, shear = (
-            1e4 * moments(mechanism, exponent, each, 4000) for each in (beyond * arm, beyond)
-        )
-        shears.append(np.abs(shear).max())
-        stresses.append(section_stress(bending=moment / modulus, mean_shear=shear / area).max())
-    assert 0.97 * found.peak_shear_force <= max(shears) <= found.peak_shear_force * (1 + SEARCHED)
-    assert max(stresses) <= found.peak_equivalent_stress * (1 + SEARCHED)
-
-
-@pytest.mark.parametrize("support", ["supported", "fixed"])
-def test_the_worst_section_by_brute_force(support: str) -> None:
-    mechanism = spaced(3, 2, 120.0)
-    z = np.array([0.015, 0.037])
-    found = pin_strength(
-        mechanism=mechanism, satellite_positions=(0.015, 0.037), **PIN, support=support, span=0.052
-    )
-    beam = PinBeam.round(
-        support=support,
-        diameter=0.016,
-        contact_length=0.02,
-        youngs_modulus=210e9,
-        poissons_ratio=0.3,
-        span=0.052,
-    )
-    modulus = math.pi * 0.016**3 / 32
-    largest = used = 0.0
-    for x in np.linspace(0, 0.052, 105):
-        weights = beam.moment(np.float64(x), z)
-        stress = 10000 * moments(mechanism, 1.0, weights, 2000) / modulus
-        largest = max(largest, float(np.abs(stress).max()))
-        for chi in np.linspace(0, 2 * np.pi, 91):
-            along = (stress * np.exp(-1j * chi)).real
-            top, bottom = along.max(), along.min()
-            used = max(used, float(STRENGTH.utilisation((top - bottom) / 2, (top + bottom) / 2)))
-    assert largest * (1 - 1e-9) <= found.peak_bending_stress <= largest * (1 + 1e-3)
-    assert used * (1 - 1e-9) <= 1 / found.fatigue.safety_factor <= used * (1 + 1e-3)
 
 
 @pytest.mark.parametrize("support", ["supported", "fixed"])
