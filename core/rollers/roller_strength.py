@@ -137,7 +137,7 @@ class RollerStrength:
     """Largest force over mean force."""
     max_force: Number = answer("N", "F_1", "2019, eq. 2, 11")
     """Largest force of a roller."""
-    centre_force: Number = answer("N", "2F_1", "2019, eq. 2")
+    centre_force: Number = answer("N", "F_0", "2019, eq. 2")
     """Force on the middle sphere of the roller with the largest force."""
     forces: tuple[Number, ...] = answer("N", "F_i", "2019, eq. 5")
     """Force of each roller."""
