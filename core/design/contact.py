@@ -97,7 +97,7 @@ class Contact:
         hole_radius: float | None = None,
         eccentricity: float | None = None,
         hole_clearance: float | None = None,
-        fit: str = "",
+        fit: str | None = None,
         **others: object,
     ) -> Self:
         """Contact whose hole follows from pin, eccentricity and clearance if it is not given.
@@ -108,7 +108,7 @@ class Contact:
         that is made.
         """
         pin, crank = pin_radius or 0.0, eccentricity or 0.0
-        clearance = _of_fit(fit, pin, crank) if fit else hole_clearance
+        clearance = hole_clearance if fit is None else _of_fit(fit, pin, crank)
         follows = pin + crank + (clearance or 0.0)
         hole = follows if hole_radius is None and pin_radius is not None else hole_radius
         stated = clearance is not None
@@ -119,7 +119,7 @@ class Contact:
             hole_radius=hole,
             eccentricity=eccentricity,
             clearance_stated=stated,
-            iso_fit=fit,
+            iso_fit=fit or "",
             **others,  # type: ignore[arg-type]
         )
         if 0 < abs(found.clearance or 0.0) < LEAST_CLEARANCE * (1 - SAME):

@@ -304,6 +304,8 @@ def design_of(
         True if the design has its pin also without a contact that loads it.
     """
     _refuse_contradictions(stated)
+    if not pin_alone and not ("contact" in stated and "contact" in used):
+        used = {*used} - {"pin"}
     made: dict[str, Any] = {}
     for name in (each for each in KINDS if each in stated):
         try:
@@ -312,8 +314,6 @@ def design_of(
             if name in used:
                 raise
     sections = {name: each for name, each in made.items() if name in used}
-    if "contact" not in sections and not pin_alone:
-        sections.pop("pin", None)
     if "gear" in sections and "satellite_coupling" in used:
         sections.setdefault("satellite_coupling", RingInSeries())
     return Design(**sections)

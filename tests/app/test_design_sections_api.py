@@ -612,7 +612,9 @@ async def test_real_curves_are_at_their_angles(api):
 
 @pytest.mark.parametrize("section", ["bearing", "rollers", "crankshaft"])
 async def test_a_bearing_without_a_name_is_refused_at_its_name(api, section):
-    body = {"mechanism": {"pins": 6, "satellites": 2, "ratio": 20}}
+    load, contact = {"pin_circle_radius_mm": 40}, {"pin_radius_mm": 6, "eccentricity_mm": 1.5}
+    body = {"mechanism": {"pins": 6, "satellites": 2, "ratio": 20}, "load": load}
+    body["contact"] = contact | {"contact_length_mm": 10, "hole_clearance_mm": 0.02}
     named = {"name": ""}
     if section == "crankshaft":
         named = {
