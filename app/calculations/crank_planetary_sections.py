@@ -236,8 +236,8 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
     def notices(self) -> tuple[Notice, ...]:
         """Notices, also of unknown deviations of a ring whose mesh is judged."""
         found = super().notices()
-        made = self.design.deviations
-        if self.says("gear/modification") and not (made and made.of_ring):
+        listed = self.deviations and self.deviations.made.of_ring
+        if self.says("gear/modification") and not listed:
             found += (Notice("ring_deviations_unknown"),)
         return found
 
@@ -334,9 +334,9 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse inputs beyond the operator's limits, and lists that do not fit the mechanism."""
-        super().refuse_beyond(settings)
         if self.load:
             self.load.refuse_beyond(settings)
+        super().refuse_beyond(settings)
 
     @cached_property
     def verdict(self) -> Verdict:

@@ -204,9 +204,9 @@ class DocumentFields(RequestModel):
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse too many pairs, and a document that contradicts itself."""
         self.mechanism.refuse_beyond(settings)
+        super().refuse_beyond(settings)
         with suppress(*UNKNOWN):  # answered where it is asked for
             assert self.design
-        super().refuse_beyond(settings)
 
     @property
     def members(self) -> Members:

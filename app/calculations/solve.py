@@ -185,14 +185,17 @@ class SolveRequest(WorkedFields):
         return self.asked.notices()
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse an input that its calculation refuses by its fields alone."""
+        """Refuse an input that its calculation refuses by its fields alone. An input that is no
+        design as it is typed may be one at another value.
+        """
         asked = self.asked
         try:
             asked.refuse_beyond(settings)
         except Problem as error:
             raise _refused(error) from error
         except InvalidInput as error:
-            raise _refused(named(error, asked)) from error
+            if error.code == "service_limit":
+                raise _refused(named(error, asked)) from error
 
     def solve(self) -> tuple[Solution, dict[str, float], list[str], list[FieldProblem]]:
         """Solution, values that it sets, linked inputs, and why inputs beyond its edge fail."""

@@ -88,7 +88,7 @@ def test_values_are_those_of_points_and_circles(pair: oracle.Pair) -> None:
     design, m = of(pair), pair.m
     root = m * (pair.z_r / 2 + pair.x_r + pair.h_f)
     clearance = (
-        own.get("ring_root", root) - pair.e - float(pair.tips[0]),
+        own.get("ring_root_radius", root) - pair.e - float(pair.tips[0]),
         float(pair.tips[1]) - pair.e - m * (pair.z_s / 2 + pair.x_s - pair.h_f),
     )
     room = own["start_roll"] - own["form_roll_satellite"]

@@ -131,7 +131,7 @@ def _geometry(pair):
         tool = {**given, "inner": (pair.cutter, mpf(0))}
         apart = _without_play(**tool)
         r_b0, r_a0 = m * pair.cutter * mp.cos(alpha) / 2, m * (mpf(pair.cutter) / 2 + 1.25)
-        found["ring_root"] = apart + r_a0
+        found["ring_root_radius"] = apart + r_a0
         reach = mp.sqrt(apart**2 - (r_br - r_b0) ** 2) + mp.sqrt(r_a0**2 - r_b0**2)
         found["form_roll_ring"] = reach / r_br
     if r_ar < r_as + e and r_as < r_ar + e:
@@ -211,7 +211,7 @@ def flank_scan(pair: Pair, *, angle: float, e: float, places: int = 400_000) -> 
     r_as, r_ar = map(float, pair.tips)
     root = pair.m * (pair.z_r / 2 + pair.x_r + 1.25)
     if pair.cutter is not None:
-        root = float(geometry(pair)["ring_root"])
+        root = float(geometry(pair)["ring_root_radius"])
     with mp.workdps(DIGITS):
         r_form = r_bs * math.hypot(1, max(0.0, float(_geometry(pair)["form_roll_satellite"])))
     own = math.tan(pair.alpha) - pair.alpha
