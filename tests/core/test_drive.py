@@ -50,7 +50,7 @@ def test_as_it_is_the_engine_gives_what_it_gives_compiled(seed: int) -> None:
     for of, room in ((engine, one), (plain, other)):
         top = int(grid.heights.argmax())
         near = about(places=grid.places, heights=grid.heights, top=top, period=2 * math.pi)
-        given = engine.LAG, 1, *near, torque, 0.1
+        given = engine.LAG, 1, *near, -math.inf, math.nan, torque, 0.1
         tops.append(of.narrow(*given, room.drive, room.work, room.rows[0]))
     assert tops[0][1] == pytest.approx(tops[1][1], rel=EXACT)
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from core.drive.engine import FLAT
+from core.drive.engine import FLAT, MET
 from core.output.summits import Grid, highest, summits
 from tests.inputs.plain_engine import narrowing
 
@@ -68,6 +68,23 @@ def test_a_kink_between_bent_sides_is_found_in_few_looks(seed: int) -> None:
         assert 0 <= 5.0 - height <= 2 * FLAT * height and error <= FLAT * height
         assert place == pytest.approx(tip, abs=1e-2)
         assert narrow.looks <= near
+
+
+def test_a_search_ends_at_a_known_summit_unless_it_is_higher_there() -> None:
+    def tip(x: float) -> float:
+        return 5 - abs(x - 0.3) - (x - 0.3) ** 2
+
+    def searched(known: float) -> tuple[float, int]:
+        places = np.arange(-2.0, 3.0) / 10 + 0.33
+        narrow = narrowing(tip, known, 0.3)
+        _, height, _ = narrow(places, np.array([*map(tip, places)]))
+        return height, narrow.looks
+
+    height, looks = searched(-math.inf)
+    assert height == pytest.approx(5, rel=FLAT)
+    assert searched(4.99) == (height, looks)
+    met, few = searched(5.0)
+    assert 5 - MET <= met <= 5 and few < looks
 
 
 @pytest.mark.parametrize("value", [lambda x: math.nan, lambda x: math.sin(1e9 * x)])

@@ -22,7 +22,9 @@ def _loaded() -> ModuleType:
 plain, searching = _loaded(), _loaded()
 
 
-def narrowing(value: Callable[[float], float]) -> Narrow:
+def narrowing(
+    value: Callable[[float], float], known: float = -math.inf, at: float = math.nan
+) -> Narrow:
     """The engine's search for the largest value, of any function of the place."""
     row, there = np.zeros(engine.INTERFERENCE + 1), [0.0]
 
@@ -34,7 +36,7 @@ def narrowing(value: Callable[[float], float]) -> Narrow:
 
     def narrow(places: np.ndarray, heights: np.ndarray) -> tuple[float, float, float]:
         vars(searching).update(place=place, placed=placed, straighten=lambda work: None)
-        given = searching.PLAY, 1, places, heights, -math.inf, math.nan, 1.0, 1.0, None, None, row
+        given = searching.PLAY, 1, places, heights, known, at, 1.0, 1.0, None, None, row
         *found, narrow.looks = searching.narrow(*given)  # type: ignore[attr-defined]
         return tuple(found)
 
