@@ -48,10 +48,10 @@ def _number(said: str, unit: float = 1.0) -> float | None:
 
 def _fact(row: dict[str, str]) -> Fact:
     unit, seen = UNITS.get(row["fact"], 1.0), cast(Seen, row["seen"])
-    value, low, high = (float(row[name] or 0.0) * unit for name in ("value", "low", "high"))
+    value, source = float(row["value"]) * unit, row["source"]
     if not row["low"]:
-        return Fact(value, row["source"], seen=seen)
-    return Range(value, row["source"], low, high, seen=seen)
+        return Fact(value, source, seen=seen)
+    return Range(value, source, float(row["low"]) * unit, float(row["high"]) * unit, seen=seen)
 
 
 def _limits(said: str) -> Iterator[ContactLimit]:

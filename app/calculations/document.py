@@ -4,7 +4,6 @@ them needs of it.
 
 import math
 from collections.abc import Iterator
-from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property, partial
 from itertools import chain
@@ -39,7 +38,7 @@ from core.arrays import FloatArray
 from core.design.document import Design
 from core.design.results import Results
 from core.design.stated import KINDS, design_of
-from core.errors import UNKNOWN, CalculationError, Notice, if_known, within
+from core.errors import CalculationError, Notice, if_known, is_known, within
 from core.output.contact_force import drawing_angles
 from core.output.mechanism import Members
 
@@ -205,8 +204,7 @@ class DocumentFields(RequestModel):
         """Refuse too many pairs, and a document that contradicts itself."""
         self.mechanism.refuse_beyond(settings)
         super().refuse_beyond(settings)
-        with suppress(*UNKNOWN):  # answered where it is asked for
-            assert self.design
+        is_known(lambda: self.design)  # what lacks is answered where it is asked for
 
     @property
     def members(self) -> Members:

@@ -95,13 +95,15 @@ def pair_notices(pair: InvolutePair) -> tuple[Notice, ...]:
 def drawn_path(*, pair: InvolutePair, loaded: dict[str, Any]) -> DrawnPath:
     """Pressure of one pair along its path of contact; `loaded` as in `solved_pair`."""
     rolls = {
-        "path_start": pair.start_roll,
+        "path_start": pair.start_roll_satellite,
         "path_end": pair.end_roll,
         "pitch_point": pair.line.pitch_roll,
     }
     least = LEAST_DRAWN * max(rolls.values())
     line = np.linspace(max(min(rolls.values()), least), max(rolls.values()), DRAWN_PLACES)
-    path = np.linspace(max(pair.start_roll, least), max(pair.end_roll, least), DRAWN_PLACES)
+    path = np.linspace(
+        max(pair.start_roll_satellite, least), max(pair.end_roll, least), DRAWN_PLACES
+    )
     points = {name: roll for name, roll in rolls.items() if roll >= least}
     pressures = [
         pressure_along(pair=pair, **loaded, roll=roll)

@@ -10,7 +10,7 @@ from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, marker, t
 from app.units import from_si
 from core.arrays import FloatArray
 from core.output.mechanism import Members
-from core.ring.mesh_curves import MeshCurves, SeriesCurves
+from core.ring.mesh_curves import MeshCurves
 from core.ring.profile import outline_points
 from core.ring.series_teeth import TeethInSeries
 from core.ring.sharing import CycloidMesh, MeshTurn, mesh_gaps, mesh_position
@@ -71,18 +71,17 @@ class ShownMesh:
     def _of(cls, turn: MeshTurn, angle: float) -> tuple[Self, float]:
         """Mesh at a crank angle, and the lag of the first disc there."""
         mesh, torque = turn.mesh, turn.turn.torque
-        curves: MeshCurves | SeriesCurves
         if isinstance(turn, TeethInSeries):  # the turn of the crank in which that is
             first = 2 * math.pi * (angle // (2 * math.pi))
             around = np.linspace(first, first + 2 * math.pi, ANGLES + 1)
-            there, curves = SeriesCurves(turn, np.array([angle])), SeriesCurves(turn, around)
+            there, curves = MeshCurves(turn, np.array([angle])), MeshCurves(turn, around)
             force, gap, own = there.force[..., 0], there.gap[..., 0], curves.own_rotation
             lag = float(there.own_rotation[0, 0])
         else:
             found = mesh_position(mesh=mesh, crank_angle=angle, output_torque=torque)
             gaps = mesh_gaps(mesh=mesh, crank_angle=angle, rotation=found.rotation)
             force, gap = np.array(found.force), np.maximum(gaps, 0.0)
-            curves, lag = MeshCurves(turn, ANGLES), found.rotation[0]
+            curves, lag = MeshCurves.over_period(turn, ANGLES), found.rotation[0]
             own = np.zeros((0, len(curves.crank_angle)))
         perfect = mesh_position(mesh=mesh.perfect, crank_angle=angle, output_torque=torque)
         shown = cls(

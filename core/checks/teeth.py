@@ -191,7 +191,7 @@ def mesh_involute(kind: Kind, design: Design, results: Results) -> Check:
         return within  # the tip lies within its base circle
     pair = results.ring.pair
     of_ring = pair.ring_flank.form_roll - pair.end_roll_ring
-    value = min(pair.start_roll - pair.form_roll_satellite, of_ring)
+    value = min(pair.start_roll_satellite - pair.form_roll_satellite, of_ring)
     found = kind.judged(_felt(value), 0.0)
     if pair.teeth.cutter or found.status == "fail":
         return found

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from core.arrays import ComplexArray, FloatArray, check_not_negative, check_positive
+from core.arrays import ComplexArray, FloatArray, check_count, check_not_negative, check_positive
 from core.errors import InvalidInput
 from core.fields import LARGEST, answer, answered, quantity
 from core.precision import ROUNDING
@@ -144,9 +144,7 @@ def check_places(
     *, satellites: int, positions: tuple[float, ...], bearings: tuple[float, float]
 ) -> None:
     """Refuse positions that are not one for each satellite, and bearings that do not ascend."""
-    if len(positions) != satellites:
-        sizes = {"expected": satellites, "actual": len(positions)}
-        raise InvalidInput("satellite_positions", len(positions), "different_length", **sizes)
+    check_count(satellites, satellite_positions=positions)
     first, last = bearings
     if not last > first:
         raise InvalidInput("bearing_positions[1]", last, "greater_than", limit=first)

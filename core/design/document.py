@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache, partial
 from typing import Any, TypeVar, cast
 
+from core.arrays import check_count
 from core.design.contact import Contact, PairSizes, SharedBy
 from core.design.ring import CycloidRing, InvoluteRing, Ring, RingBody
 from core.design.sections import (
@@ -189,9 +190,8 @@ class Design:
         if not isinstance(ring, CycloidRing):
             return
         places, satellites = ring.satellite_positions, self.mechanism.satellites
-        if places and len(places) != satellites:
-            counts = {"expected": satellites, "actual": len(places)}
-            raise InvalidInput("gear.satellite_positions", places, "different_length", **counts)
+        if places:
+            check_count(satellites, **{"gear.satellite_positions": places})
         with suppress(NotKnown):
             width = self.ring_length
             check_apart(name="gear.satellite_positions", positions=places, width=width)
@@ -211,9 +211,8 @@ class Design:
         """
         pins, satellites = self.mechanism.pins, self.mechanism.satellites
         shares = self.satellite_coupling.given_shares
-        if shares and len(shares) != satellites:
-            counts = {"expected": satellites, "actual": len(shares)}
-            raise InvalidInput("satellite_coupling.shares", shares, "different_length", **counts)
+        if shares:
+            check_count(satellites, **{"satellite_coupling.shares": shares})
         if self.deviations is not None:
             known = if_known(lambda: self.ring_pins) if self.deviations.of_ring else None
             numbers: dict[str, Any] = {"pins": pins, "satellites": satellites, "ring_pins": known}

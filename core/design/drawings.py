@@ -39,7 +39,7 @@ from core.fields import Output, answer
 from core.output.contact_force import force_ratios, reference_force
 from core.output.mechanism import pin_geometry
 from core.ring.involute import InvolutePair
-from core.ring.mesh_curves import MeshCurves, SeriesCurves
+from core.ring.mesh_curves import MeshCurves
 from core.ring.profile import MOST_POINTS, CycloidDisc, outline_points
 from core.ring.series_teeth import TeethInSeries
 from core.ring.sharing import CycloidMesh
@@ -381,13 +381,10 @@ def ring_drawing(results: Results) -> RingDrawing | None:
     if pairs > MAX_DRAWN_PAIRS:
         return None
     drawn = _drawn_mesh(design, turn.mesh)
-    curves: MeshCurves | SeriesCurves
-    if isinstance(turn, TeethInSeries):
-        curves = SeriesCurves.over_period(turn, DRAWN_RING)
-        if pairs * len(curves.crank_angle) > MAX_DRAWN_PAIRS * (DRAWN_RING + 1):
-            return drawn
-    else:
-        curves = MeshCurves(turn, DRAWN_RING)
+    curves = MeshCurves.over_period(turn, DRAWN_RING)
+    many = pairs * len(curves.crank_angle) > MAX_DRAWN_PAIRS * (DRAWN_RING + 1)
+    if many and isinstance(turn, TeethInSeries):
+        return drawn
     return replace(
         drawn,
         crank_angle=curves.crank_angle,

@@ -8,6 +8,7 @@ from dataclasses import fields
 from functools import cache, partial
 from typing import Any
 
+from core.arrays import check_count
 from core.bearings import BEARINGS, named_bearing, names_like
 from core.design.contact import Contact
 from core.design.document import Design
@@ -143,9 +144,8 @@ def _mechanism(own: Values) -> dict[str, Any]:
         raise InvalidInput("output", output, "not_this_mechanism")
     ratio, count = _ratio(own), own.get("satellites")
     angles = own.get("crank_angles") or ()
-    if angles and count not in (None, len(angles)):
-        counts = {"expected": count, "actual": len(angles)}
-        raise InvalidInput("crank_angles", angles, "different_length", **counts)
+    if angles and count is not None:
+        check_count(count, crank_angles=angles)
     if output == "coupling" and (count or 1) > 1:
         raise InvalidInput("satellites", count, "one_of_coupling", limit=1)
     satellites = satellites_of(own)

@@ -25,6 +25,10 @@ from core.output.force_bounds import (
 )
 from core.precision import ROUNDING
 
+MANY = 24
+"""Number of driving pairs above which arrays are faster than a loop."""
+
+
 Candidate = tuple[float, int, float]
 """Force ratio, number of the segment, pressure angle of the best placed pair in turns."""
 
@@ -185,15 +189,28 @@ class _Power(ForceLaw):
         return place
 
     def look(self, index: int, tangent: float) -> Look:
+        total = lead = falling = rising = 0.0
         power = self.exponent
         weights, cosines, sines = self.directions[index]
-        ratios = np.maximum(cosines - tangent * sines, 0.0)
-        shares = weights * ratios**power
-        leads = shares * sines
-        bends = np.divide(leads * sines, ratios, out=np.zeros_like(leads), where=ratios > 0)
-        total, lead = float((shares * ratios).sum()), float(leads.sum())
-        falling = float(bends[sines > 0].sum())
-        rising = float(bends.sum()) - falling
+        if len(weights) <= MANY:
+            pairs = zip(weights.tolist(), cosines.tolist(), sines.tolist(), strict=True)
+            for weight, along, across in pairs:
+                ratio = along - tangent * across
+                if ratio > 0:
+                    share = weight * ratio**power
+                    total += share * ratio
+                    lead += share * across
+                    bend = share * across * across / ratio
+                    falling += bend if across > 0 else 0.0
+                    rising += 0.0 if across > 0 else bend
+        else:
+            ratios = np.maximum(cosines - tangent * sines, 0.0)
+            shares = weights * ratios**power
+            leads = shares * sines
+            bends = np.divide(leads * sines, ratios, out=np.zeros_like(leads), where=ratios > 0)
+            total, lead = float((shares * ratios).sum()), float(leads.sum())
+            falling = float(bends[sines > 0].sum())
+            rising = float(bends.sum()) - falling
         rise, stretch = 1 + power, 1 + tangent * tangent
         balance = total + rise * tangent * lead
         return Look(

@@ -24,7 +24,7 @@ from core.output.contact_force import PairNumber
 from core.output.loaded_position import notices
 from core.output.real_mechanism import RealMechanism
 from core.output.stage import Stage, check_torque
-from core.output.summits import Grid, Summit, all_summits, height_of, summits
+from core.output.summits import Grid, Summit, height_of, summits
 from core.output.turn import Rows, Turn
 from core.precision import AS_TYPED, SAME
 
@@ -71,9 +71,8 @@ class OverTurn:
         return found
 
     def _grid(self, rows: Rows, name: str, sign: int = 1) -> Grid:
-        heights = rows["high"] - rows["low"] if name == "backlash" else rows[name]
-        if name == "backlash":
-            heights = np.maximum(heights, 0.0)
+        backlash = name == "backlash"
+        heights = np.maximum(rows["high"] - rows["low"], 0.0) if backlash else rows[name]
         return Grid(rows["wave"], sign * heights, self.turn.period)
 
     def _above(
@@ -99,7 +98,10 @@ class OverTurn:
             self._grid(rows, "force") for rows in (turn.coarse, turn.fine, turn.again)
         )
         before = turn.evaluations
-        found, rough = all_summits(coarse=coarse, fine=fine, narrow=turn.narrow(turn.force))
+        narrow = turn.narrow(turn.force)
+        found = summits(grid=coarse, narrow=narrow)
+        rough = max(map(height_of, found))
+        found += summits(grid=fine, narrow=narrow, known=found)
         top, missed = self._above(again, turn.force, found)
         found.append(top)
         peak, first = top.height, turn.first
@@ -312,7 +314,7 @@ class OverTurn:
                 break
             low, high, here, there = low[handed], high[handed], here[handed], there[handed]
             middle = (low + high) / 2
-            between = turn.between(middle.tolist())
+            between = turn.poses(middle.tolist(), play=False)
             carries = between["forces"] > 0
             felt = between["forces"] > FELT * between["error"][:, None]
             least = min(least, int(carries.sum(axis=1).min()))

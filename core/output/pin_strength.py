@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from core.arrays import FloatArray, check_positive, check_single
+from core.arrays import FloatArray, check_count, check_positive, check_single
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known, required
 from core.fatigue import LOW_CYCLES
 from core.fields import answer, answered
@@ -417,9 +417,7 @@ def _check_positions(mechanism: Mechanism, positions: tuple[float, ...], beam: P
     """Refuse discs whose contact is not on the pin."""
     length, span = float(beam.contact_length), beam.span
     name = "satellite_positions"
-    if len(positions) != mechanism.satellites:
-        count = {"expected": mechanism.satellites, "actual": len(positions)}
-        raise InvalidInput(name, len(positions), "different_length", **count)
+    check_count(mechanism.satellites, **{name: positions})
     slack = 4 * ROUNDING
     for index, z in enumerate(positions):
         if not z >= length / 2 * (1 - slack):

@@ -84,7 +84,7 @@ def refined(
         between = (wave + gaps / 2)[rough | np.roll(rough, -1)]
         if not len(between):
             break
-        rows = joined(one=rows, other=turn.between(between.tolist()))
+        rows = joined(one=rows, other=turn.poses(between.tolist(), play=False))
     return rows
 
 

@@ -91,7 +91,7 @@ OF_RING_PINS = ("ring_pin_radial", "ring_pin_tangential", "ring_pin_radius")
 """Deviations of the pins of a ring."""
 
 
-def filled(name: str, *, values: Sequence[float], expected: int) -> list[float]:
+def deviation_row(name: str, *, values: Sequence[float], expected: int) -> list[float]:
     """Deviations of a list, zeros if it is empty; another length or infinite values are refused."""
     if not values:
         return [0.0] * expected
@@ -180,12 +180,13 @@ class Deviations:
         def table(name: str) -> list[float]:
             values = getattr(self, name) or ((),) * satellites
             rows = (
-                filled(f"{name}[{j}]", values=each, expected=pins) for j, each in enumerate(values)
+                deviation_row(f"{name}[{j}]", values=each, expected=pins)
+                for j, each in enumerate(values)
             )
             return [*chain(*rows)]
 
         def row(name: str, expected: int) -> list[float]:
-            return filled(name, values=getattr(self, name), expected=expected)
+            return deviation_row(name, values=getattr(self, name), expected=expected)
 
         return Errors(
             *[row(name, pins) for name in Errors._fields[:3]],

@@ -100,10 +100,3 @@ def highest(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[list[Summit], 
     equal = [each.alike for each in found if top.height - each.height <= AS_TYPED * abs(top.height)]
     top = replace(top, alike=tuple(chain.from_iterable(equal)))
     return [top, *found], abs(top.height - max(map(height_of, rough)))
-
-
-def all_summits(*, coarse: Grid, fine: Grid, narrow: Narrow) -> tuple[list[Summit], float]:
-    """All summits of two grids, and the height by the coarse grid alone."""
-    found = summits(grid=coarse, narrow=narrow)
-    rough = max(map(height_of, found))
-    return found + summits(grid=fine, narrow=narrow, known=found), rough

@@ -73,10 +73,6 @@ class Turn:
         own = largest.reshape(self.real.mechanism.satellites, self.repeats, -1)
         return np.broadcast_to(own.max(axis=1, keepdims=True), own.shape).ravel()
 
-    def between(self, places: Sequence[float]) -> Rows:
-        """Positions without their play."""
-        return self.poses(places, play=False)
-
     def poses(self, places: Sequence[float], *, play: bool = True) -> Rows:
         """Solved positions at angles of the engine, rad."""
         self.evaluations += len(places)

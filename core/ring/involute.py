@@ -249,16 +249,11 @@ class InvolutePair:
         """Angle through which the satellite, and with it the output, can turn in the ring."""
         return self.normal_backlash / self.line.satellite_base
 
-    @cached_property
-    def start_roll(self) -> float:
-        """Roll angle of the planet at the start of the path, where the ring's tip is in contact."""
-        return float(self.line.start_roll(self.teeth.ring_tip))
-
     @property
     @answered("", "τ₁")
     def start_roll_satellite(self) -> float:
         """Tangent of the satellite's pressure angle at the start of the path."""
-        return self.start_roll
+        return float(self.line.start_roll(self.teeth.ring_tip))
 
     @cached_property
     def end_roll(self) -> float:
@@ -269,7 +264,7 @@ class InvolutePair:
     @answered("", "ε")
     def contact_ratio(self) -> float:
         """Length of the path of contact over the base pitch."""
-        return float(self.line.contact_ratio(start=self.start_roll, end=self.end_roll))
+        return float(self.line.contact_ratio(start=self.start_roll_satellite, end=self.end_roll))
 
     @property
     @answered()
@@ -277,7 +272,7 @@ class InvolutePair:
         """True if the pitch point, at which the flanks roll without sliding, lies on the path of
         contact.
         """
-        return self.start_roll <= self.line.pitch_roll <= self.end_roll
+        return self.start_roll_satellite <= self.line.pitch_roll <= self.end_roll
 
     @property
     @answered("", "τ_F")
@@ -298,7 +293,11 @@ class InvolutePair:
     def on_involutes(self) -> bool:
         """True if tips pass each other and the whole path of contact lies on involutes."""
         whole = self.end_roll_ring <= self.ring_flank.form_roll
-        return self.tips_apart(0.0) and self.start_roll >= self.form_roll_satellite >= 0 and whole
+        return (
+            self.tips_apart(0.0)
+            and self.start_roll_satellite >= self.form_roll_satellite >= 0
+            and whole
+        )
 
     @property
     @answered()
@@ -378,7 +377,7 @@ class InvolutePair:
     @answered("mm", "ρ")
     def reduced_radius_start(self) -> float | None:
         """Radius of relative curvature at the start of the path of contact."""
-        return self._reduced_radius(self.start_roll)
+        return self._reduced_radius(self.start_roll_satellite)
 
     @property
     @answered("mm", "ρ")

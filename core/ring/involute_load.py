@@ -118,7 +118,7 @@ def involute_load(
     finds less pressure than there is at the start of the path. Arguments are those of
     `pressure_along`.
     """
-    rolls = (pair.start_roll, pair.end_roll, pair.line.pitch_roll)
+    rolls = (pair.start_roll_satellite, pair.end_roll, pair.line.pitch_roll)
     found = pressure_along(
         pair=pair,
         torque=torque,
@@ -130,7 +130,7 @@ def involute_load(
     )
     start, end, at_pitch = (None if math.isnan(each) else float(each) for each in found)
     rounded = pair.accuracy.relative_error
-    error = rounded + 4 * ROUNDING / max(pair.start_roll, ROUNDING)
+    error = rounded + 4 * ROUNDING / max(pair.start_roll_satellite, ROUNDING)
     return InvoluteLoad(
         **asdict(pair_force(pair=pair, torque=torque)),
         pressure_one_pair_start=start,
@@ -199,7 +199,9 @@ def loss_ratio(*, pair: InvolutePair, friction: float, roll: float) -> float:
 
 def mean_loss_ratio(*, pair: InvolutePair, friction: float) -> float:
     """Mean of `loss_ratio` over the path of contact."""
-    start, end = (each - pair.line.pitch_roll for each in (pair.start_roll, pair.end_roll))
+    start, end = (
+        each - pair.line.pitch_roll for each in (pair.start_roll_satellite, pair.end_roll)
+    )
     if not end > start:
         return friction * abs(start)
     return friction * (end * abs(end) - start * abs(start)) / (2 * (end - start))

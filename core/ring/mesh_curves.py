@@ -11,7 +11,7 @@ from core.ring.series_turn import SeriesTurn
 from core.ring.sharing import MeshTurn, gaps_at
 
 
-class SeriesCurves:
+class MeshCurves:
     """Teeth of a ring mesh under a torque at M crank angles, rad, each curve found on demand."""
 
     def __init__(self, teeth: MeshTurn, crank_angle: FloatArray) -> None:
@@ -22,11 +22,16 @@ class SeriesCurves:
             self.period, self.further = self.turn.period, self.turn.pitches % self.mesh.disc.pins
 
     @classmethod
-    def over_period(cls, teeth: MeshTurn, angles: int) -> "SeriesCurves":
-        """Curves at even angles over one period, at least ``angles`` of them in it and per turn."""
-        period: float = teeth.turn.period
-        steps = math.ceil(angles * max(1.0, period / (2 * math.pi)))
-        return cls(teeth, np.linspace(0.0, period, steps + 1))
+    def over_period(cls, teeth: MeshTurn, angles: int) -> "MeshCurves":
+        """Curves at even angles, at least ``angles`` of them per turn, over a period of both meshes
+        in series, of which they are as many if it is shorter, or over a turn of the ring alone.
+        """
+        turn = teeth.turn
+        if isinstance(turn, SeriesTurn):
+            end, steps = turn.period, math.ceil(angles * max(1.0, turn.period / (2 * math.pi)))
+        else:  # each pin of pins that are alike is drawn at the same places
+            end, steps = 2 * math.pi, math.ceil(angles / turn.repeats) * turn.repeats
+        return cls(teeth, np.linspace(0.0, end, steps + 1))
 
     @derived
     def _rows(self) -> Rows:
@@ -57,14 +62,3 @@ class SeriesCurves:
         """Gap between disc and pin under the torque, m, shape (K, z_p, M); 0 if they press."""
         gaps = gaps_at(mesh=self.mesh, crank_angle=self.crank_angle, lags=self.own_rotation.T)
         return self._by_pair(np.maximum(gaps, 0.0))
-
-
-class MeshCurves(SeriesCurves):
-    """Cycloid mesh of the ring alone over a turn, which has at least ``angles`` angles besides its
-    end.
-    """
-
-    def __init__(self, turn: MeshTurn, angles: int) -> None:
-        repeats = turn.turn.repeats
-        steps = -(-angles // repeats) * repeats
-        super().__init__(turn, np.linspace(0.0, 2 * math.pi, steps + 1))

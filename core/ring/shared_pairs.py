@@ -78,7 +78,7 @@ def touching(*, pair: InvolutePair, angle: FloatArray) -> Touching:
     flank = axis + teeth.satellite_half_angle
     free = pair.backlash / 2
     at = flank + free + line.angle
-    on_path = (pair.start_roll <= at) & (at <= pair.end_roll)
+    on_path = (pair.start_roll_satellite <= at) & (at <= pair.end_roll)
     by_ring = _by_ring_tip(pair, flank, space)
     by_satellite, lever = _by_satellite_tip(pair, flank, space)
     onsets = np.stack([np.where(on_path, free, np.inf), by_ring, by_satellite])

@@ -34,7 +34,7 @@ from core.output.elasticity import (
 from core.output.mechanism import Mechanism
 from core.output.over_turn import OverTurn
 from core.output.real_turn import CloseSamples, close_samples
-from core.output.room import filled
+from core.output.room import deviation_row
 from core.output.stage import Solved, Stage, check_torque
 from core.ring.drives import ring_drive
 from core.ring.profile import CycloidDisc, Modification
@@ -70,7 +70,9 @@ class RingDeviations:
     def each(self, *, pins: int, satellites: int) -> tuple[list[float], ...]:
         """All deviations as lists filled with zeros; InvalidInput for a wrong length or entry."""
         return tuple(
-            filled(name, values=getattr(self, name), expected=pins if index < 3 else satellites)
+            deviation_row(
+                name, values=getattr(self, name), expected=pins if index < 3 else satellites
+            )
             for index, name in enumerate(self.__slots__)
         )
 

@@ -63,18 +63,21 @@ def _size(said: str) -> Size:
 
 
 def _read() -> Iterator[Process]:
-    """Processes of the table, whose lengths but limits are in m."""
+    """Processes of the table, whose lengths are in mm."""
     with Path(__file__).with_suffix(".csv").open(encoding="utf-8", newline="") as lines:
         for row in csv.DictReader(lines):
             code: Any = row["code"]
+            position, usual, least, most = (
+                float(row[name]) / 1000 for name in ("position", "clearance", "least", "most")
+            )
             yield Process(
                 code=code,
                 title=row["title"],
                 hole=_size(row["hole"]),
                 pin=_size(row["pin"]),
-                position=float(row["position"]),
-                clearance=float(row["clearance"]),
-                clearances=(float(row["least"]), float(row["most"])),
+                position=position,
+                clearance=usual,
+                clearances=(least, most),
                 source=row["source"],
             )
 

@@ -13,6 +13,7 @@ from core.crank.bearing_life import EXPONENTS
 from core.crank.satellite_bearing import SatelliteBearings, made_parts
 from core.design.results import Results
 from core.errors import NotKnown, if_known
+from core.numerics.extremes import first_largest
 from core.output.ideal_turn import ideal_turn
 from core.output.sampled_turn import WAYS, SampledTurn
 from core.precision import AS_TYPED
@@ -79,8 +80,7 @@ def _ring(sheet: Sheet, results: Results, found: SatelliteBearings) -> None:
 def bearing_steps(results: Results) -> list[Step]:
     """Steps of the bearing that is loaded most."""
     design, found = results.design, results.crank.bearings
-    bearing, loads = design.bearing, np.asarray(found.equivalent_load)
-    j = int((loads >= loads.max() * (1 - AS_TYPED)).argmax())
+    bearing, j = design.bearing, first_largest(found.equivalent_load)
     sheet, where = _sheet(results, found, j), {"params": {"satellite": j + 1}}
     take_speed(sheet, results=results)
     sheet.work("relative_speed", "n", "n_1*(1+1/u)", found.given_speed)

@@ -157,7 +157,7 @@ def involute_steps(pair: InvolutePair) -> list[Step]:
     sheet.work("satellite_tip_radius", "r_s", "m*(z_s/2+x_s+h_s)", teeth.satellite_tip)
     sheet.work("ring_tip_radius", "r_r", "m*(z_r/2+x_r-h_r)", teeth.ring_tip)
     start = "(z_r*sqrt((2*r_r/(m*z_r*cos(alpha)))^2-1)-(z_r-z_s)*tan(alpha_w))/z_s"
-    sheet.work("start_roll_satellite", "tau_1", start, pair.start_roll)
+    sheet.work("start_roll_satellite", "tau_1", start, pair.start_roll_satellite)
     sheet.work("end_roll_satellite", "tau_2", "sqrt((r_s/r_b)^2-1)", pair.end_roll)
     sheet.work("contact_ratio", "epsilon", "z_s*(tau_2-tau_1)/(2*pi)")
     return sheet.steps

@@ -91,7 +91,7 @@ def test_values_are_those_of_points_and_circles(pair: oracle.Pair) -> None:
         own.get("ring_root_radius", root) - pair.e - float(pair.tips[0]),
         float(pair.tips[1]) - pair.e - m * (pair.z_s / 2 + pair.x_s - pair.h_f),
     )
-    room = own["start_roll"] - own["form_roll_satellite"]
+    room = own["start_roll_satellite"] - own["form_roll_satellite"]
     if pair.cutter is not None:
         room = min(room, own["form_roll_ring"] - own["end_roll_ring"])
     backlash = own["normal_backlash"] / (m * pair.z_s / 2 * math.cos(pair.alpha))
@@ -359,7 +359,7 @@ def test_what_slides_on_the_flanks_lowers_the_efficiency() -> None:
     )
     # by the slopes of a straight line over the path: from 6.5 to 5.4 % of the output
     own = oracle.geometry(oracle.Pair(40, 41, 2.5, 0.0, 0.58, 0.8, 0.8, e=2.003027285823322))
-    middle = (float(own["start_roll"]) + float(own["end_roll"])) / 2
+    middle = (float(own["start_roll_satellite"]) + float(own["end_roll"])) / 2
     lost = 0.06 * (math.tan(float(own["angle"])) - middle)
     assert 1 / both == pytest.approx(1 / alone + lost, rel=EXACT)
     rubbing = having(geared(design, friction_coefficient=0.06), min_ring_efficiency=0.95)
@@ -404,7 +404,7 @@ def test_teeth_are_judged_where_all_that_they_need_is_known() -> None:
 
 def test_a_path_that_starts_off_the_involute_has_no_pressure() -> None:
     early = of(oracle.Pair(20, 22, 3.0, 0.0, 0.365, 0.3, 1.0, e=3.68))
-    assert Results(early).ring.pair.start_roll < 0
+    assert Results(early).ring.pair.start_roll_satellite < 0
     check = check_of("ring_pressure_pin", early)
     assert (check.status, check.reason) == ("not_checked", "off_involutes")
     assert teeth_of(having(early, scope=("teeth",)))[0] == "fail"

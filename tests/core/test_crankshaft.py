@@ -119,6 +119,17 @@ def test_curves_have_the_direction_of_the_reactions() -> None:
 MASS = {"satellite_mass": 1.5, "input_speed": 50 * math.pi}
 
 
+def test_the_couple_of_two_and_of_three_satellites() -> None:
+    """REF of the theory: 1.628485 N*m of two satellites, the root of three times it of three."""
+    two = crankshaft(**REF, **MASS).balance
+    assert two.force == pytest.approx(0, abs=1e-12)
+    assert f"{two.couple:.6f}" == "1.628485"
+    three = REF | {"mechanism": spaced(6, 3), "satellite_positions": (0.009, 0.031, 0.053)}
+    found = crankshaft(**three, **MASS).balance
+    assert found.couple == pytest.approx(1.628485 * math.sqrt(3), rel=SEARCHED)
+    assert found.force == pytest.approx(0, abs=1e-12)
+
+
 def test_a_bearing_that_holds_nothing() -> None:
     """The satellite on one bearing leaves nothing for the other: no load, no life, no failure."""
     one = LOAD | {"mesh": MESH, "mechanism": spaced(6, 1), "dynamic_ratings": (30e3, 30e3)}

@@ -79,7 +79,7 @@ def test_tips_that_overlap_all_round_have_no_crossing_and_are_no_room():
     high = replace(teeth, ring_profile_shift=1e-3, satellite_addendum=0.9, ring_addendum=0.6)
     pair = involute_pair(teeth=high)
     assert pair.tips_overlap_all_round
-    assert pair.start_roll >= pair.form_roll_satellite >= 0
+    assert pair.start_roll_satellite >= pair.form_roll_satellite >= 0
     assert not pair.on_involutes
     assert pair.tip_interference is None
     assert pair.tip_gap is None
@@ -96,7 +96,7 @@ def test_flanks_touch_on_involutes_of_both_as_far_as_their_tools_go():
     assert low.form_roll_ring < low.end_roll_ring
     assert not low.on_involutes
     deep = involute_pair(teeth=replace(teeth, ring_addendum=1.0))
-    assert deep.start_roll < deep.form_roll_satellite
+    assert deep.start_roll_satellite < deep.form_roll_satellite
     assert not deep.on_involutes
     assert involute_pair(teeth=replace(teeth, cutter=None)).form_roll_ring is None
 
@@ -150,7 +150,7 @@ def test_pressure_falls_along_the_path_and_is_that_of_its_ends():
     pair = involute_pair(teeth=given(CASES[4])[0])
     loaded = {"pair": pair, "torque": 300.0, "contact_length": 0.02}
     loaded |= {"satellite_material": STEEL, "ring_material": STEEL}
-    rolls = np.linspace(pair.start_roll, pair.end_roll, 33)
+    rolls = np.linspace(pair.start_roll_satellite, pair.end_roll, 33)
     along, ends = pressure_along(**loaded, roll=rolls), involute_load(**loaded)
     assert (np.diff(along) < 0).all()
     assert along[0] == pytest.approx(ends.pressure_one_pair_start)
@@ -164,7 +164,7 @@ def test_pressure_falls_along_the_path_and_is_that_of_its_ends():
 def test_a_path_that_starts_below_the_base_circle_has_no_pressure_there():
     teeth = replace(given(CASES[4])[0], ring_addendum=2.42)
     pair = involute_pair(teeth=teeth)
-    assert pair.start_roll < 0
+    assert pair.start_roll_satellite < 0
     assert pair.reduced_radius_start is None
     load = involute_load(
         pair=pair,
@@ -183,7 +183,7 @@ def test_flanks_slide_by_their_speeds_at_the_point_of_contact():
         pair = involute_pair(teeth=given(case)[0])
         line, step = pair.line, 1e-6
         normal = np.exp(-1j * line.angle) * 1j  # of the line, base points at right angles to it
-        for roll in (pair.start_roll, pair.end_roll):
+        for roll in (pair.start_roll_satellite, pair.end_roll):
             centre = line.eccentricity
             place = centre + line.satellite_base * np.exp(-1j * line.angle) * (1 + 1j * roll)
             speed = line.ring_teeth / line.satellite_teeth  # satellite's, ring turning by 1
@@ -201,7 +201,7 @@ def test_flanks_slide_by_their_speeds_at_the_point_of_contact():
 def test_the_mean_loss_is_that_along_the_path():
     for case in CASES:
         pair = involute_pair(teeth=given(case)[0])
-        rolls = np.linspace(pair.start_roll, pair.end_roll, 20_001)
+        rolls = np.linspace(pair.start_roll_satellite, pair.end_roll, 20_001)
         each = [loss_ratio(pair=pair, friction=0.06, roll=roll) for roll in rolls]
         mean = np.trapezoid(each, dx=1 / 20_000)
         assert mean_loss_ratio(pair=pair, friction=0.06) == pytest.approx(mean, rel=SEARCHED)

@@ -90,7 +90,7 @@ def test_the_best_is_that_of_all_that_are_tried_and_exists(seed: int) -> None:
     )
     assert abs(pair.normal_backlash) < 1e-12
     assert pair.tip_interference > TIPS_APART - 1e-9
-    assert pair.start_roll >= pair.form_roll_satellite - 1e-12 >= -1e-9
+    assert pair.start_roll_satellite >= pair.form_roll_satellite - 1e-12 >= -1e-9
     assert min(pair.satellite_tip_thickness, pair.ring_tip_thickness) > -1e-9
     for height in (best.teeth.satellite_addendum, best.teeth.ring_addendum):
         assert USUAL_ADDENDA[0] - 1e-9 <= height <= USUAL_ADDENDA[1] + 1e-9
@@ -200,9 +200,11 @@ def test_shifts_are_taken_that_keep_the_path_on_involutes():
         ring_addendum=1.0,
     )
     nearest = nearest_ring(teeth=teeth)
-    assert nearest.start_roll < nearest.form_roll_satellite
+    assert nearest.start_roll_satellite < nearest.form_roll_satellite
     eccentricity = 1.02 * nearest.line.eccentricity
     chosen = shifts_at(teeth=teeth, eccentricity=eccentricity)
     pair = involute_pair(teeth=chosen, eccentricity=eccentricity)
     assert pair.on_involutes
-    assert pair.start_roll - pair.form_roll_satellite < 0.01  # as near to their end as it goes
+    assert (
+        pair.start_roll_satellite - pair.form_roll_satellite < 0.01
+    )  # as near to their end as it goes

@@ -77,7 +77,7 @@ def test_what_overlaps_presses(seed: int, exact: bool) -> None:
 def test_curves_of_given_shares_are_of_the_lags_of_each_disc() -> None:
     made = RingDeviations(pin_radial=(1e-5, -2e-5, 0.0) * 4)
     mesh = mesh_of(support=Shares((0.7, 0.3)), deviations=made, exact=False)
-    curves = MeshCurves(mesh_over_turn(mesh=mesh, output_torque=50.0), 7)
+    curves = MeshCurves.over_period(mesh_over_turn(mesh=mesh, output_torque=50.0), 7)
     assert curves.force.shape == curves.gap.shape == (2, 12, 8)
     for i, angle in enumerate(curves.crank_angle.tolist()):
         found = at(mesh, angle, 50.0)

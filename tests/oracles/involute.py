@@ -112,7 +112,7 @@ def _geometry(pair):
         "eccentricity_without_backlash": e_0,
         "normal_backlash": _play(e, **given) * mp.cos(turned),
         "contact_ratio": (end - start) / (mp.pi * m * mp.cos(alpha)),
-        "start_roll": start / r_bs,
+        "start_roll_satellite": start / r_bs,
         "end_roll": end / r_bs,
         "end_roll_ring": (end + abs(on_ring - on_satellite)) / r_br,
         "satellite_tip_thickness": _thickness(r_as, teeth=z_s, m=m, x=mpf(pair.x_s), alpha=alpha),

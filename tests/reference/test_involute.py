@@ -22,9 +22,11 @@ def size_of(name: str, pair: InvolutePair, exact: float) -> float:
         return 0.1 * teeth.ring_teeth
     if "thickness" in name or name == "normal_backlash":
         return teeth.module
-    if name in ("contact_ratio", "start_roll", "form_roll_satellite"):
+    if name in ("contact_ratio", "start_roll_satellite", "form_roll_satellite"):
         return max(1.0, abs(exact))
-    return abs(exact) / (min(1.0, pair.start_roll) if name == "reduced_radius_start" else 1.0)
+    return abs(exact) / (
+        min(1.0, pair.start_roll_satellite) if name == "reduced_radius_start" else 1.0
+    )
 
 
 @pytest.mark.parametrize("seed", seeds(60))
@@ -59,7 +61,7 @@ def test_tips_run_into_each_other_where_the_interference_says_so(seed: int) -> N
         room = pair.tip_interference / teeth.satellite_teeth + free
         if room < -2e-3:
             assert gap < 0
-        elif room > 0 and pair.start_roll > max(0.0, pair.form_roll_satellite):
+        elif room > 0 and pair.start_roll_satellite > max(0.0, pair.form_roll_satellite):
             assert gap > -1e-9
 
 
@@ -90,7 +92,7 @@ GOOD = [
     for seed in seeds(60)
     for pair in (involute_pair(teeth=drawn(seed)[0], eccentricity=drawn(seed)[1]),)
     if pair.contact_ratio > 1
-    and pair.start_roll > pair.form_roll_satellite > 0
+    and pair.start_roll_satellite > pair.form_roll_satellite > 0
     and (pair.tip_interference or -1) > 0
 ]
 
