@@ -39,7 +39,7 @@ from app.model import (
     whole,
 )
 from app.rules import Rule
-from app.units import Convert, from_si
+from app.units import Convert, core_name, from_si
 from core.design.stated import filled as filled_by_core
 from core.design.stated import fills
 from core.design.stated import section as section_of
@@ -167,6 +167,8 @@ def request_fields(kind: Any) -> tuple[RequestField, ...]:
     for each in fields(kind):
         if own := each.metadata.get("input"):
             name = f"{each.name}_{own.unit}".removesuffix("_")
+            if core_name(name) != each.name:
+                raise KeyError(f"{own.unit}, unit of {each.name}, is not in app.units")
             absent = own.silent or each.default in (MISSING, None, (), math.inf)
             default = None if absent else from_si(name, each.default)
             needed = each.default is MISSING and not own.filled

@@ -172,3 +172,13 @@ def test_every_field_of_the_document_has_its_words_and_a_unit() -> None:
         if isinstance(each.default, float):
             low, high = about.limits.get("ge", -math.inf), about.limits.get("le", math.inf)
             assert low <= each.default <= high
+
+
+def test_a_unit_that_the_api_lacks_is_found_at_import() -> None:
+    @dataclass(frozen=True, kw_only=True)
+    class Place:
+        altitude: float = size("Altitude", "h", "m")
+        """Height above the sea."""
+
+    with pytest.raises(KeyError, match="unit of altitude"):
+        request_fields(Place)
