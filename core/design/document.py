@@ -206,9 +206,7 @@ class Design:
                 raise InvalidInput("gear.sleeve_bore_radius", bore, "smaller_than", **than)
 
     def _check_lists(self) -> None:
-        """Refuse deviations and shares that are not one for each part, as far as their numbers are
-        known.
-        """
+        """Refuse deviations and shares that are not one for each part of a known number."""
         pins, satellites = self.mechanism.pins, self.mechanism.satellites
         shares = self.satellite_coupling.given_shares
         if shares:

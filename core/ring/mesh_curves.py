@@ -23,13 +23,13 @@ class MeshCurves:
 
     @classmethod
     def over_period(cls, teeth: MeshTurn, angles: int) -> "MeshCurves":
-        """Curves at even angles, at least ``angles`` of them per turn, over a period of both meshes
-        in series, of which they are as many if it is shorter, or over a turn of the ring alone.
+        """Curves at even angles over a period of both meshes in series, or over a turn of the ring
+        alone; at least ``angles`` of them in it and in each turn.
         """
         turn = teeth.turn
         if isinstance(turn, SeriesTurn):
             end, steps = turn.period, math.ceil(angles * max(1.0, turn.period / (2 * math.pi)))
-        else:  # each pin of pins that are alike is drawn at the same places
+        else:  # the angles repeat from pin to pin
             end, steps = 2 * math.pi, math.ceil(angles / turn.repeats) * turn.repeats
         return cls(teeth, np.linspace(0.0, end, steps + 1))
 

@@ -56,10 +56,15 @@ class Process:
         return self.hole if of == "hole" else self.pin
 
 
+def _length(mm: str) -> float:
+    """Length in m, to the last digit that is written in mm."""
+    return float(f"{mm}e-3")
+
+
 def _size(said: str) -> Size:
     """Size of a table's entry: limits in mm, a class, or none."""
     lower, _, upper = said.partition(" ")
-    return Limits(float(lower) / 1000, float(upper) / 1000) if upper else said or None
+    return Limits(_length(lower), _length(upper)) if upper else said or None
 
 
 def _read() -> Iterator[Process]:
@@ -67,17 +72,14 @@ def _read() -> Iterator[Process]:
     with Path(__file__).with_suffix(".csv").open(encoding="utf-8", newline="") as lines:
         for row in csv.DictReader(lines):
             code: Any = row["code"]
-            position, usual, least, most = (
-                float(row[name]) / 1000 for name in ("position", "clearance", "least", "most")
-            )
             yield Process(
                 code=code,
                 title=row["title"],
                 hole=_size(row["hole"]),
                 pin=_size(row["pin"]),
-                position=position,
-                clearance=usual,
-                clearances=(least, most),
+                position=_length(row["position"]),
+                clearance=_length(row["clearance"]),
+                clearances=(_length(row["least"]), _length(row["most"])),
                 source=row["source"],
             )
 
