@@ -105,7 +105,8 @@ export function createAsking({ store, client, designs }) {
     }
     const include = usuallyOf(calculator, shown.answer);
     if (include.length === 0) return;
-    const { answer = {}, superseded } = await look({ include: [...include, ...calculator.limit ?? []] });
+    const found = await look({ include: [...include, ...calculator.limit ?? []] });
+    const { answer = {}, superseded } = found.problem?.kind === "too-long" ? await look({ include }) : found;
     if (!superseded) store.apply(withUsual, shown, answer);
   }
 

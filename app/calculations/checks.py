@@ -485,8 +485,7 @@ def judgement(
     """Fields of `JudgedResponse` except fixes; None for absent values, such as a largest torque
     that was not requested or has no load.
     """
-    reserve = verdict.torque_reserve if largest else None
-    known = reserve is not None and verdict.largest_torque_known
+    most = verdict.largest_torque(torque) if largest else None
     values: list[Values] | None = None
     if checks:
         inputs = _inputs(type(body), body.given_paths)
@@ -497,13 +496,13 @@ def judgement(
     own: Values = {}
     if verdict.parts:
         own["parts"] = [part_values(each, body) for each in verdict.parts]
-        if known:
+        if most is not None:
             own["largest_torque_of"] = list(verdict.largest_torque_of)
     return own | {
         "verdict": verdict.verdict,
         "governing": verdict.governing,
-        "torque_reserve": reserve,
-        "largest_torque_Nm": abs(torque) * reserve if known else None,  # type: ignore[operator]
+        "torque_reserve": verdict.torque_reserve if largest else None,
+        "largest_torque_Nm": most,
         "counts": verdict.counts,
         "not_considered": list(verdict.not_considered),
         "checks": values,

@@ -369,7 +369,7 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
     @cached_property
     def usual_ring(self) -> UsualModification | None:
         """Design with a usual ring of pins."""
-        return usual_modification(self.design)
+        return usual_modification(self.design, largest=self.asks_largest)
 
     @cached_property
     def draws_real(self) -> bool:
@@ -494,7 +494,7 @@ def _geometry(body: CrankPlanetaryRequest) -> Values:
 
 def _usual_fit(body: CrankPlanetaryRequest) -> Values | None:
     """Design with a usual clearance, if none is known or 0 is stated."""
-    found = usual_clearance_too(design=body.design, ring=body.usual_ring)
+    found = usual_clearance_too(design=body.design, ring=body.usual_ring, largest=body.asks_largest)
     return UsualFitOut.of(found, largest=body.asks_largest) if found else None
 
 

@@ -5,7 +5,7 @@ from pydantic import Field
 from app.model import Maybe, ResponseModel, Values, result
 from app.units import from_si
 from core.checks.check import Outcome
-from core.checks.usual_fit import UsualFit, largest_torque
+from core.checks.usual_fit import UsualFit
 from core.checks.usual_modification import UsualModification
 from core.design.ring import RingClass
 
@@ -24,10 +24,11 @@ class UsualFitOut(ResponseModel, of=UsualFit):
     @classmethod
     def of(cls, found: UsualFit, *, largest: bool) -> Values:
         """Values of the design with a fit."""
+        torque = found.results.design.output_torque
         values = cls.values(
             found,
             fit_class=found.name,
-            largest_torque_Nm=largest_torque(found.results) if largest else None,
+            largest_torque_Nm=found.judged.largest_torque(torque) if largest else None,
             verdict=found.judged.verdict,
         )
         return {"class": values.pop("fit_class"), **values}
@@ -70,7 +71,8 @@ class UsualModificationOut(ResponseModel, of=UsualModification):
     @classmethod
     def of(cls, found: UsualModification, *, largest: bool) -> Values:
         """Values of the design with a usual ring."""
-        at_output = found.results.design.members.angle_at_output
+        design = found.results.design
+        at_output = design.members.angle_at_output
 
         def spread(name: str, median: float, percent_90: float) -> Values:
             return {"median": from_si(name, median), "percent_90": from_si(name, percent_90)}
@@ -81,6 +83,8 @@ class UsualModificationOut(ResponseModel, of=UsualModification):
             max_pressure_MPa=spread("pressure_MPa", *found.max_pressure),
             backlash_arcmin=spread("angle_arcmin", *map(at_output, found.backlash)),
             verdict=found.verdict.verdict,
-            largest_torque_Nm=largest_torque(found.results) if largest else None,
+            largest_torque_Nm=found.verdict.largest_torque(design.output_torque)
+            if largest
+            else None,
         )
         return {"class": values.pop("ring_class"), **values}

@@ -432,6 +432,12 @@ class Verdict:
         """True if no force is known, as the design cannot exist or move."""
         return any(each.reason == "cannot_be" for each in self.checks)
 
+    def largest_torque(self, torque: float) -> float | None:
+        """Torque at the first failure of a check, N*m, if it is known; `torque` is the design's."""
+        if self.torque_reserve is None or not self.largest_torque_known:
+            return None
+        return abs(torque) * self.torque_reserve
+
     def __getitem__(self, code: str) -> Check:
         """Check with a code."""
         return next(each for each in self.checks if each.code == code)

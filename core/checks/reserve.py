@@ -179,15 +179,20 @@ class _Torques:
             made[code] = crank_check(code, self.there[factor])
         return made[code]
 
-    def look(self, factor: float) -> dict[str, Check]:
-        """Checks to be made again under a factor on the torque."""
-        return {code: self.at(factor, code) for code in self.moved}
-
     def holds(self, factor: float) -> bool | None:
-        """True if all checks hold under a factor on the torque; None if that is not known."""
+        """True if all checks hold under a factor on the torque; None if that is not known.
+
+        The check that is nearest to its limit is made first. After one that fails, only those are
+        made that should fail too.
+        """
         if factor > self.exact:
             return False
-        found = {_holds(check) for check in self.look(factor).values()}
+        roots = {code: self.root(code) for code in self.moved}
+        found: set[bool | None] = set()
+        for code in sorted(self.moved, key=roots.__getitem__):
+            if False in found and roots[code] > factor:
+                break
+            found.add(_holds(self.at(factor, code)))
         return False if False in found else None if None in found else True
 
     def bracket(self) -> tuple[float, float] | None:

@@ -66,17 +66,10 @@ class UsualFit:
         return forces.turn.peak_force if isinstance(forces, RealForces) else None
 
 
-def largest_torque(results: Results) -> float | None:
-    """Torque at the first failure of a check, N*m, as far as it is known."""
-    judged = crank_verdict(results, largest=True)
-    if not judged.largest_torque_known or judged.torque_reserve is None:
-        return None
-    return abs(results.design.output_torque) * judged.torque_reserve
-
-
-def usual_fit(design: Design) -> UsualFit | None:
+def usual_fit(design: Design, *, largest: bool = False) -> UsualFit | None:
     """Design with a usual clearance; load, contact and eccentricity have to be given. None if the
-    design has a clearance or the tables of fits do not cover its sizes.
+    design has a clearance or the tables of fits do not cover its sizes. True for `largest`
+    searches for the largest torque too.
     """
     if if_known(lambda: design.clearance) != 0:
         return None
@@ -85,7 +78,7 @@ def usual_fit(design: Design) -> UsualFit | None:
     except InvalidInput:
         return None
     results = Results(_cleared(design, clearance))
-    return UsualFit(name, results, crank_verdict(results))
+    return UsualFit(name, results, crank_verdict(results, largest=largest))
 
 
 def with_usual_clearance(design: Design) -> Design:

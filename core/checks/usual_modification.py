@@ -137,9 +137,10 @@ def _looked_at(mesh: CycloidMesh, torques: list[float]) -> _Piece:
     )
 
 
-def usual_modification(design: Design) -> UsualModification | None:
+def usual_modification(design: Design, *, largest: bool = False) -> UsualModification | None:
     """Results with a usual modification if none is known, and usual places of ring pins if none are
-    stated. None if both are known, teeth are out of scope, or the ring mesh cannot be solved.
+    stated. None if both are known, teeth are out of scope, or the ring mesh cannot be solved. True
+    for `largest` searches for the largest torque too.
     """
     gear, made = design.gear, design.deviations or Deviations()
     placed = bool(made.ring_pin_radial or made.ring_pin_tangential)
@@ -187,18 +188,20 @@ def usual_modification(design: Design) -> UsualModification | None:
         backlash=Spread.of([each.backlash for each, _ in works]),
         cannot_assemble=pressed / len(pieces),
         results=results,
-        verdict=crank_verdict(results),
+        verdict=crank_verdict(results, largest=largest),
     )
 
 
-def usual_clearance_too(*, design: Design, ring: UsualModification | None) -> UsualFit | None:
+def usual_clearance_too(
+    *, design: Design, ring: UsualModification | None, largest: bool = False
+) -> UsualFit | None:
     """Design with a usual clearance, and with the usual modification of `ring` if none is known;
     None as in `core.checks.usual_fit.usual_fit`.
     """
     if ring is None or design.cycloid.modification is not None:
-        return usual_fit(design)
+        return usual_fit(design, largest=largest)
     if design.clearance_unknown and ring.results.design.play:
         return UsualFit(usual_clearance(design)[0], ring.results, ring.verdict)
     made = ring.results.design
     own = {"gear.modification": made.cycloid.modification, "deviations": made.deviations}
-    return usual_fit(changed(design, own))
+    return usual_fit(changed(design, own), largest=largest)

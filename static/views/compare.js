@@ -167,10 +167,10 @@ export function createCompare({ model, calculator, on }) {
             <th scope="col" data-design="${i}" class="series-${(i % 6) + 1}"><input class="box free-text" value="${design.name}" maxlength="24" aria-label="${message("compare.name", design)}">
               <span class="design-tools"><button type="button" class="toggle" data-do="open" aria-label="${message("compare.openWhat", design)}">${message("compare.open")}</button>
               <button type="button" class="toggle" data-do="remove" aria-label="${message("compare.removeWhat", design)}">×</button></span>${i + 1 === base && html`<span class="note">${message("compare.base")}</span>`}</th>`)}</tr></thead>
-          <tbody>${tableRows(decisiveRows(calculator, all, base))}</tbody>
-          <tbody>${tableRows(inputRows(model, all))}</tbody>
-          <tbody>${tableRows(resultRows(calculator, all, base))}</tbody>
-        </table>`);
+          <tbody></tbody><tbody></tbody><tbody></tbody>
+        </table>`); // the same designs keep their boxes, in which a name is being typed
+      const rows = [decisiveRows(calculator, all, base), inputRows(model, all), resultRows(calculator, all, base)];
+      rows.forEach((each, i) => fill(table.firstElementChild.tBodies[i], html`${tableRows(each)}`));
     }),
   };
 }

@@ -183,12 +183,15 @@ def test_the_request_runs_elsewhere_and_gives_the_same(
 def test_designs_stand_side_by_side_with_their_curves(page: Page, service: str) -> None:
     show(page, service, "crank-planetary")
     page.get_by_role("button", name="Keep this design").click()
+    named = page.get_by_label("Name of design A").element_handle()
+    assert named
     box(page, TORQUE).fill("1000")
     box(page, TORQUE).press("Enter")
     settled(page)
     compare = page.locator(".compare-table")
     own = compare.get_by_role("row", name="Output torque").get_by_role("cell").first
     expect(own).to_have_text("1000")  # the table and the figure come after the numbers
+    assert named.evaluate("(box) => box.isConnected")  # a name that is being typed stays
     page.wait_for_function(
         "(top) => document.querySelector('[data-figure=force] .plot').layout?.yaxis.range[1] > top",
         arg=1000 * 6666.67 / 280,
