@@ -351,6 +351,10 @@ PHASE_ROUNDING = 3 * ROUNDING
 """Rounding error of a phase, in turns: of the given angle, of its conversion from degrees over
 radians to turns, and of its place within a sector."""
 
+AT_SWITCH = 2 * PHASE_ROUNDING
+"""Distance from a switching angle, in turns, that rounding can make. For exponents between 0 and 1,
+where a power of a tiny cosine is not small, the cosine is 0 within this distance."""
+
 
 @dataclass(frozen=True, slots=True)
 class PeakForce:

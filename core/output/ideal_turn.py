@@ -13,8 +13,7 @@ import numpy as np
 
 from core.arrays import BoolArray, ComplexArray, FloatArray, IntArray
 from core.errors import InvalidInput
-from core.output.contact_force import force_peak
-from core.output.losses import AT_SWITCH
+from core.output.contact_force import AT_SWITCH, force_peak
 from core.output.mechanism import Mechanism
 from core.output.sampled_turn import PinSamples, SampledTurn, largest_of_samples
 from core.precision import SEARCHED

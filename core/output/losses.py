@@ -24,7 +24,7 @@ from core.errors import Accuracy, Notice, NotKnown, poorly_known, required
 from core.fields import answer, answered
 from core.numerics.extremes import zoom
 from core.numerics.quadrature import tanh_sinh_rule
-from core.output.contact_force import PHASE_ROUNDING, force_peak, force_ratios
+from core.output.contact_force import AT_SWITCH, PHASE_ROUNDING, force_peak, force_ratios
 from core.output.driving_set import Segment, segments
 from core.output.mechanism import Mechanism, WavePhases
 from core.precision import CONVERGED, ROUNDING
@@ -39,10 +39,6 @@ changes little."""
 SWITCHING = 1e-13
 """Cosine below which a pair begins or ends to drive. Phases merged over a larger distance, in
 turns, differ by more than rounding."""
-
-AT_SWITCH = 2 * PHASE_ROUNDING
-"""Distance from a switching angle, in turns, that rounding can make. For exponents between 0 and 1,
-where a power of a tiny cosine is not small, the cosine is 0 within this distance."""
 
 
 @dataclass(frozen=True, slots=True)
