@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from benchmarks.options import options
-from core.output.pin_strength import PinStrength, pin_strength
+from core.output.pin_strength import PinStrength
+from tests.inputs.loads import pin_strength
 from tests.inputs.pins import pin_design, solved
 from tests.oracles.pin_scan import pin_extremes
 

@@ -19,9 +19,7 @@ from benchmarks.options import options
 from core.checks.crank_planetary import crank_checks
 from core.conformal import conformal_contact
 from core.crank.bearing_life import rating_life
-from core.crank.crankshaft import crankshaft
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import satellite_bearings
 from core.design.contact import Contact
 from core.design.document import Design, changed
 from core.design.results import Results
@@ -32,14 +30,14 @@ from core.hertz import ElasticMaterial, hertz
 from core.material_table import MATERIALS
 from core.numerics.inverse import solve_for
 from core.output.contact_force import contact_force, cyclogram, peak_force
-from core.output.losses import BarePins, pin_losses
+from core.output.losses import BarePins
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, face_load_factor
 from core.output.pin_fatigue import FatigueStrength
-from core.output.pin_strength import pin_strength
 from core.precession.contact_line import contact_lines
 from core.precession.rollers import RollerByLength
 from core.rollers.roller_strength import ByPoissonsRatio, PositionTolerance, roller_strength
+from tests.inputs.loads import crankshaft, pin_losses, pin_strength, satellite_bearings
 
 STEEL = ElasticMaterial(210e9, 0.3)
 
@@ -128,8 +126,8 @@ def _whole(**pin: Any) -> object:
 
 def _losses(radius: Any) -> object:
     return pin_losses(
-        **LOADED | {"pin_circle_radius": radius}, input_speed=157.0, eccentricity=0.002,
-        pin_radius=0.008, contact_length=0.02, friction_coefficient=0.08,
+        **LOADED | {"pin_circle_radius": radius}, input_speed=157.0, output_power=3925.0,
+        eccentricity=0.002, pin_radius=0.008, contact_length=0.02, friction_coefficient=0.08,
         rubbing=BarePins(0.01),
     )  # fmt: skip
 

@@ -8,28 +8,19 @@ ripple, so that the shaft is always bent in one direction.
 
 import math
 from dataclasses import dataclass
-from functools import partial
 from itertools import product
 
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray, check_positive, check_single
-from core.crank.balance import (
-    Balance,
-    Counterweight,
-    balance,
-    carried,
-    check_places,
-    rounding,
-)
+from core.crank.balance import Balance, carried, check_places, rounding
 from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.crank.ring_mesh import RingMesh
 from core.crank.satellite_bearing import BearingCurves, made_parts, uneven_shares
 from core.errors import Accuracy, Notice, poorly_known
 from core.fields import answer
-from core.output.ideal_turn import ideal_turn
-from core.output.mechanism import Mechanism
-from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
+from core.output.pin_circle_load import PinCircleLoad
+from core.output.sampled_turn import SampledTurn
 from core.precision import ROUNDING
 
 
@@ -52,10 +43,7 @@ class Crankshaft:
 
 def crankshaft(
     *,
-    mechanism: Mechanism,
-    force_exponent: float = 1.0,
-    output_torque: float,
-    pin_circle_radius: float,
+    load: PinCircleLoad[SampledTurn],
     eccentricity: float,
     mesh: RingMesh,
     distribution_factor: float = 1.0,
@@ -63,15 +51,10 @@ def crankshaft(
     bearing_positions: tuple[float, float],
     kinds: tuple[Bearing, Bearing] = ("ball", "ball"),
     dynamic_ratings: tuple[float | None, float | None] = (None, None),
-    satellite_mass: float | None = None,
-    counterweights: tuple[Counterweight, ...] = (),
-    rotor_mass: float | None = None,
-    input_speed: float | None = None,
-    bearing_speeds: tuple[float, float] | None = None,
-    torque_direction: Direction = "driving",
-    made: Made | None = None,
+    bearing_speeds: tuple[float | None, float | None] = (None, None),
+    balance: Balance | None = None,
 ) -> Crankshaft:
-    """Reactions of the crankshaft's bearings, and its balance.
+    """Reactions of the crankshaft's bearings, with those to the unbalance if the balance is given.
 
     ``R_B = -sum F_j*(z_j - A)/(B - A)``, ``R_A = -sum F_j - R_B`` with the satellites' forces F_j
     on the cranks. Of the input drive only the torque is considered. `ImpossibleMechanism` is raised
@@ -79,90 +62,52 @@ def crankshaft(
 
     For ideal forces one satellite carries K_alpha/K of the torque by the load-sharing factor
     K_alpha, from 1 to K, and the worst choice of that satellite counts for each bearing. Middle
-    planes z of the satellites and places A and B of the bearings, B beyond A, are in m. A balance
-    needs the mass of a satellite with its bearing, kg, and the speed of the crank against the
-    housing, rad/s, > 0, as life does; the rotor mass is that of all that turns. `bearing_speeds`,
-    rad/s, are against the seat of each bearing if a seat turns against the housing; at 0 there is
-    no life. The direction is the worse one if alternating; forces as made (`made`, see
-    `core.output.real_turn.sampled`) are by default ideal ones, shared equally.
+    planes z of the satellites and places A and B of the bearings, B beyond A, are in m. The speed
+    of the crank against the seat of each bearing is in rad/s; without it, or at 0, there is no
+    life. The balance is that of these satellites, see `core.crank.balance`.
 
     Six pins, two satellites at 20 and 42 mm of 62 mm between the bearings, involute teeth.
 
+    >>> from core.output.mechanism import Mechanism
+    >>> six = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
     >>> found = crankshaft(
-    ...     mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0),
-    ...     output_torque=500.0, pin_circle_radius=0.05, eccentricity=2e-3,
-    ...     mesh=RingMesh(math.tan(math.radians(34.6912426))),
+    ...     load=PinCircleLoad(mechanism=six, output_torque=500.0, pin_circle_radius=0.05),
+    ...     eccentricity=2e-3, mesh=RingMesh(math.tan(math.radians(34.6912426))),
     ...     satellite_positions=(0.02, 0.042), bearing_positions=(0.0, 0.062))
     >>> [round(each, 3) for each in found.peak_reaction.tolist()]
     [4487.098, 4487.098]
     """
-    sizes = {"pin_circle_radius": pin_circle_radius, "eccentricity": eccentricity}
-    check_single(
-        output_torque=output_torque,
-        **sizes,
-        satellite_mass=satellite_mass,
-        input_speed=input_speed,
-    )
-    check_positive(output_torque=output_torque, **sizes)
-    check_places(
-        satellites=mechanism.satellites,
-        positions=satellite_positions,
-        bearings=bearing_positions,
-    )
-    held = carried(positions=satellite_positions, bearings=bearing_positions)
-    spun = None
-    if satellite_mass is not None and input_speed is not None:
-        spun = balance(
-            satellite_mass=satellite_mass,
-            eccentricity=eccentricity,
-            crank_angles=mechanism.crank_angles,
-            satellite_positions=satellite_positions,
-            bearing_positions=bearing_positions,
-            counterweights=counterweights,
-            input_speed=input_speed,
-            rotor_mass=rotor_mass,
-        )
-    ways = WAYS[torque_direction]
+    check_single(eccentricity=eccentricity)
+    check_positive(eccentricity=eccentricity)
+    angles = load.mechanism.crank_angles
+    check_places(satellites=len(angles), positions=satellite_positions, bearings=bearing_positions)
+    turns = load.turns(load.output_torque)
     exponents = [EXPONENTS[kind] for kind in kinds]
-    forces: Made = made or partial(
-        ideal_turn,
-        mechanism=mechanism,
-        force_exponent=force_exponent,
-        pin_circle_radius=pin_circle_radius,
-    )
-    turns = [forces(way * output_torque) for way in ways]
     found = _reactions(
         turns=turns,
-        arm=eccentricity * mechanism.ratio,
+        arm=eccentricity * load.mechanism.ratio,
         mesh=mesh,
-        carried=held,
-        rounded=rounding(
-            angles=mechanism.crank_angles,
-            positions=satellite_positions,
-            bearings=bearing_positions,
-        ),
-        spun=spun,
-        shares=uneven_shares(
-            satellites=mechanism.satellites, distribution_factor=distribution_factor
-        ),
+        carried=carried(positions=satellite_positions, bearings=bearing_positions),
+        rounded=rounding(angles=angles, positions=satellite_positions, bearings=bearing_positions),
+        spun=balance,
+        shares=uneven_shares(satellites=len(angles), distribution_factor=distribution_factor),
         exponents=exponents,
     )
-    speeds = bearing_speeds or (input_speed, input_speed)
     lives: dict[int, float] = {}
     error = 0.0
     for row in np.flatnonzero(found.most).tolist():
-        load = float(found.equivalent[row])
-        own = float(found.off[row]) / load
+        equivalent = float(found.equivalent[row])
+        own = float(found.off[row]) / equivalent
         error = max(error, own)
         rating = dynamic_ratings[row]
-        if rating is not None and (speed := speeds[row]):
+        if rating is not None and (speed := bearing_speeds[row]):
             million = 1e6 * 2 * math.pi / speed
-            lives[row] = million * rating_life(load=load, rating=rating, kind=kinds[row])
+            lives[row] = million * rating_life(load=equivalent, rating=rating, kind=kinds[row])
             error = max(error, exponents[row] * own)
     evaluations = sum(turn.evaluations for turn in turns)
     accuracy = Accuracy("sampling", error + 8 * ROUNDING, evaluations)
     notices = (*mesh.notices, *poorly_known(accuracy))
-    return Crankshaft(found.most, found.equivalent, lives, spun, accuracy, notices)
+    return Crankshaft(found.most, found.equivalent, lives, balance, accuracy, notices)
 
 
 @dataclass(frozen=True, slots=True)

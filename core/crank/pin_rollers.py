@@ -15,9 +15,8 @@ from core.crank.bearing_life import EXPONENTS, Bearing, rating_life
 from core.errors import Accuracy, Notice, poorly_known, required
 from core.fields import answer, answered
 from core.output.contact_force import force_peak
-from core.output.ideal_turn import ideal_turn
-from core.output.mechanism import Mechanism
-from core.output.sampled_turn import WAYS, Direction, Made
+from core.output.pin_circle_load import PinCircleLoad
+from core.output.sampled_turn import SampledTurn
 from core.precision import SEARCHED
 
 RollerKind = Literal["ball", "cylindrical", "needle"]
@@ -138,16 +137,10 @@ class _Loads:
 
 def pin_rollers(
     *,
-    mechanism: Mechanism,
-    force_exponent: float = 1.0,
-    output_torque: float,
-    pin_circle_radius: float,
-    torque_direction: Direction = "driving",
-    made: Made | None = None,
+    load: PinCircleLoad[SampledTurn],
     eccentricity: float,
     pin_radius: float,
     input_speed: float | None = None,
-    peak_torque: float | None = None,
     kind: RollerKind,
     ratings: Ratings = "bearing",
     per_satellite: int = 1,
@@ -165,42 +158,33 @@ def pin_rollers(
     as standing still against the load, so that its rotation factor is 1. Life: ISO 281:2007.
     `ImpossibleMechanism` is raised at a dead centre.
 
-    T is in N*m; the pin radius is the outer radius r_s of the roller, m. The torque direction is
-    that of forces as made (`made`, see `core.output.real_turn.sampled`), the worse one if
-    alternating; ideal forces, the default, are alike in both. The static safety is under the peak
-    torque, by default T. Ratings C and C0, N, are those of a single roller, reduced by
-    `unsupported_shares` if of a bearing; `per_satellite` rollers side by side share the force of a
-    satellite.
+    The pin radius is the outer radius r_s of the roller, m. The static safety is under the peak
+    torque. Ratings C and C0, N, are those of a single roller, reduced by `unsupported_shares` if of
+    a bearing; `per_satellite` rollers side by side share the force of a satellite.
 
+    >>> from core.output.mechanism import Mechanism
+    >>> six = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=15.0)
     >>> found = pin_rollers(
-    ...     mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=15.0),
-    ...     output_torque=4.05, pin_circle_radius=0.024, eccentricity=1.5e-3, pin_radius=6.5e-3,
-    ...     input_speed=10*math.pi, kind="ball", dynamic_rating=1080.0, static_rating=440.0,
-    ...     rolling_elements=8)
+    ...     load=PinCircleLoad(mechanism=six, output_torque=4.05, pin_circle_radius=0.024),
+    ...     eccentricity=1.5e-3, pin_radius=6.5e-3, input_speed=10*math.pi, kind="ball",
+    ...     dynamic_rating=1080.0, static_rating=440.0, rolling_elements=8)
     >>> [round(each, 2) for each in (found.peak_load, found.equivalent_load)]
     [56.25, 33.55]
     >>> round(found.speed*30/math.pi, 3), round(found.static_safety_factor, 3)
     (73.846, 4.889)
     """
     check_positive(
-        output_torque=output_torque,
-        pin_circle_radius=pin_circle_radius,
-        eccentricity=eccentricity,
-        pin_radius=pin_radius,
-        per_satellite=float(per_satellite),
+        eccentricity=eccentricity, pin_radius=pin_radius, per_satellite=float(per_satellite)
     )
     elements = KINDS[kind]
     power = EXPONENTS[elements]
-    static_torque = output_torque if peak_torque is None else peak_torque
-    if made is None:
-        force = output_torque / pin_circle_radius
-        loads = _ideal(mechanism, force_exponent, force, power)
-        static = loads.peak * static_torque / output_torque
+    if load.made is None:
+        loads = _ideal(load, power)
+        static = loads.peak * load.static_torque / load.output_torque
     else:
-        loads = _made(made, WAYS[torque_direction], output_torque, power)
-        static = loads.peak
-        if static_torque != output_torque:
-            static = _made(made, WAYS[torque_direction], static_torque, power).peak
+        loads = _made(load.turns(load.output_torque), power)
+        turns = load.turns(load.static_torque)
+        static = max(float(np.abs(turn.on_pins).max()) for turn in turns)
     shares, notices = (1.0, 1.0), list[Notice]()
     if ratings == "bearing":
         shares = unsupported_shares(kind=elements, elements=rolling_elements)
@@ -213,7 +197,7 @@ def pin_rollers(
     return PinRollers(
         elements=elements,
         input_speed=input_speed,
-        waves_per_turn=mechanism.waves_per_turn,
+        waves_per_turn=load.mechanism.waves_per_turn,
         eccentricity=eccentricity,
         pin_radius=pin_radius,
         peak_load=peak,
@@ -229,32 +213,28 @@ def pin_rollers(
     )
 
 
-def _ideal(mechanism: Mechanism, exponent: float, reference: float, power: float) -> _Loads:
+def _ideal(load: PinCircleLoad[SampledTurn], power: float) -> _Loads:
     """Loads under ideal forces, which are alike for every contact over the turn."""
-    peak = force_peak(mechanism, exponent)
-    turn = ideal_turn(
-        reference, mechanism=mechanism, force_exponent=exponent, pin_circle_radius=1.0
-    )
+    peak = force_peak(load.mechanism, load.force_exponent)
+    turn = load.forces(load.output_torque)
     mean = float(turn.mean(np.abs(turn.on_pins[0]) ** power).mean())
     error = peak.accuracy.relative_error + SEARCHED
     return _Loads(
-        peak=reference * peak.peak_force_ratio,
+        peak=load.output_torque / load.pin_circle_radius * peak.peak_force_ratio,
         equivalent=mean ** (1 / power),
         accuracy=Accuracy("sampling", error, turn.evaluations),
     )
 
 
-def _made(made: Made, ways: tuple[float, ...], torque: float, power: float) -> _Loads:
+def _made(turns: list[SampledTurn], power: float) -> _Loads:
     """Loads under the forces of the mechanism as made, in the worse direction."""
     found = []
-    for way in ways:
-        turn = made(way * torque)
+    for turn in turns:
         force = np.abs(turn.on_pins)
         means = turn.mean(force**power) ** (1 / power)
         satellite, pin = divmod(int(means.argmax()), means.shape[1])
-        found.append((float(means.max()), float(force.max()), satellite, pin, turn))
-    equivalent, _, satellite, pin, _ = max(found, key=lambda each: each[0])
-    turns = [each[-1] for each in found]
+        found.append((float(means.max()), float(force.max()), satellite, pin))
+    equivalent, _, satellite, pin = max(found, key=lambda each: each[0])
     return _Loads(
         peak=max(each[1] for each in found),
         equivalent=equivalent,

@@ -27,7 +27,6 @@ from core.arrays import (
     Number,
     check_not_negative,
     check_positive,
-    check_single,
     every,
 )
 from core.crank.bearing_life import (
@@ -43,7 +42,8 @@ from core.fields import answer, answered
 from core.output.contact_force import force_ratios
 from core.output.ideal_turn import ideal_turn
 from core.output.mechanism import Mechanism, pressure_cosines
-from core.output.sampled_turn import WAYS, Direction, Made, SampledTurn
+from core.output.pin_circle_load import PinCircleLoad
+from core.output.sampled_turn import WAYS, Direction, SampledTurn
 from core.precision import ROUNDING, SEARCHED
 
 
@@ -74,7 +74,6 @@ class SatelliteBearings:
     reliability_percent: float  # required reliability
     weibull_slope: Number | None  # slope beta of the distribution of lives
     load_accuracy: Accuracy  # accuracy of loads over those of the most loaded satellite
-    notices: tuple[Notice, ...] = answer()  # of the ring, idle satellites and poorly known results
 
     @property
     @answered("deg", "α_w", optional=True)
@@ -144,13 +143,19 @@ class SatelliteBearings:
             error *= EXPONENTS[self.kind]
         return self.load_accuracy._replace(relative_error=error + 8 * ROUNDING)
 
+    @property
+    @answered()
+    def notices(self) -> tuple[Notice, ...]:
+        """Notices of the ring, of satellites without a load, and of poorly known results."""
+        loads = self.peak_load.reshape(-1, self.peak_load.shape[-1])
+        idle = (np.flatnonzero(~(loads > 0).all(axis=0)) + 1).tolist()
+        still = (Notice("satellite_idle", {"satellite": j}) for j in idle)
+        return (*self.mesh.notices, *still, *poorly_known(self.accuracy))
+
 
 def satellite_bearings(
     *,
-    mechanism: Mechanism,
-    force_exponent: float = 1.0,
-    output_torque: Number,
-    pin_circle_radius: Number,
+    load: PinCircleLoad[SampledTurn],
     eccentricity: Number,
     mesh: RingMesh,
     input_speed: Number | None = None,
@@ -162,9 +167,6 @@ def satellite_bearings(
     reliability_percent: float = 90.0,
     ring_factor: Number = 1.0,
     weibull_slope: Number | None = None,
-    peak_torque: Number | None = None,
-    torque_direction: Direction = "driving",
-    made: Made | None = None,
 ) -> SatelliteBearings:
     """Load and life of the satellites' bearings under the forces of the pins.
 
@@ -173,109 +175,61 @@ def satellite_bearings(
     281:2007). Source of the forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10).
     `ImpossibleMechanism` is raised at a dead centre.
 
-    T, N*m, is without an application factor. The speed w_in of the crank against the ring is in
-    rad/s; without it, or at 0, there is no life. For ideal forces every bearing is judged as the
-    one that carries K_alpha/K of the torque by the load-sharing factor K_alpha, from 1 to K; the
-    least load is that of another, and the life of all together that of the worst choice. The static
-    safety, under the peak torque (by default T), is the smaller one with the centrifugal force
-    ``m*e*w_in^2`` of a satellite with its bearing, N, and at rest. The factor V, > 0, is for the
-    ring that turns against the load, the Weibull slope for the life of all bearings together. The
-    direction is that of forces as made (`made` of one design, see `core.output.real_turn.sampled`),
-    the worse one if alternating; ideal forces, the default, are alike in both and shared equally.
+    The load is without an application factor, and of one design if forces are those as made. The
+    speed w_in of the crank against the ring is in rad/s; without it, or at 0, there is no life.
+    Every bearing is judged as the one that carries K_alpha/K of the torque by the load-sharing
+    factor K_alpha of ideal forces, from 1 to K; the least load is that of another, and the life of
+    all together that of the worst choice. The static safety, under the peak torque, is the smaller
+    one with the centrifugal force ``m*e*w_in^2`` of a satellite with its bearing, N, and at rest.
+    The factor V, > 0, is for the ring that turns against the load, the Weibull slope for the life
+    of all bearings together.
 
     Six pins, two satellites, 500 N*m at 1500 rpm of the crank, involute teeth.
 
+    >>> six = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
     >>> found = satellite_bearings(
-    ...     mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0),
-    ...     output_torque=500.0, pin_circle_radius=0.05, eccentricity=2e-3, kind="ball",
-    ...     mesh=RingMesh(math.tan(math.radians(34.6912426))), input_speed=50*math.pi)
+    ...     load=PinCircleLoad(mechanism=six, output_torque=500.0, pin_circle_radius=0.05),
+    ...     eccentricity=2e-3, mesh=RingMesh(math.tan(math.radians(34.6912426))), kind="ball",
+    ...     input_speed=50*math.pi)
     >>> [round(float(each[0]), 2)
     ...  for each in (found.min_load, found.peak_load, found.equivalent_load)]
     [11877.22, 12645.46, 12390.15]
     """
-    check_positive(
-        output_torque=output_torque,
-        pin_circle_radius=pin_circle_radius,
-        eccentricity=eccentricity,
-        ring_factor=ring_factor,
-    )
+    check_positive(eccentricity=eccentricity, ring_factor=ring_factor)
+    check_not_negative(centrifugal=centrifugal)
     relative_speed = None
     if input_speed is not None:
         check_not_negative(input_speed=input_speed)
-        relative_speed = input_speed * mechanism.waves_per_turn
-    static_torque = output_torque if peak_torque is None else peak_torque
-    check_positive(peak_torque=static_torque)
-    check_not_negative(centrifugal=centrifugal)
-    ratio = mechanism.ratio
-    if made is None:
-        ideal = partial(
-            _ideal_loads,
-            mechanism=mechanism,
-            force_exponent=force_exponent,
-            arm=eccentricity * ratio / pin_circle_radius,
-            mesh=mesh,
-            exponent=EXPONENTS[kind],
-        )
-        across = distribution_factor * output_torque / (eccentricity * ratio)
-        loads = others = ideal(across=across, centrifugal=centrifugal)
-        rest = uneven_shares(
-            satellites=mechanism.satellites, distribution_factor=distribution_factor
-        ).min()
-        if rest < distribution_factor:
-            own = np.asarray(centrifugal)[..., None] + 0.0 * loads.mean
-            others = replace(loads, most=own, least=own, mean=own, ring=0.0 * own)
-            if rest:
-                part = rest / distribution_factor * across
-                others = ideal(across=part, centrifugal=centrifugal)
-        more = static_torque / output_torque
-
-        def static_loads() -> FloatArray:
-            if not np.any(centrifugal):
-                return np.asarray(more)[..., None] * loads.most
-            still = ideal(across=more * across)
-            spun = ideal(across=more * across, centrifugal=centrifugal)
-            return np.maximum(still.most, spun.most)
-
-    else:
-        check_single(output_torque=output_torque, peak_torque=peak_torque)
-        ways = WAYS[torque_direction]
-
-        def solved(torque: float, relief: float) -> _Loads:
-            turns = [made(way * torque) for way in ways]
-            return _made_loads(turns, eccentricity * ratio, mesh, relief, EXPONENTS[kind])
-
-        loads = others = solved(output_torque, centrifugal)
-
-        def static_loads() -> FloatArray:
-            reliefs = {0.0, float(centrifugal)}
-            most = [solved(static_torque, each).most for each in reliefs]
-            return np.asarray(np.maximum.reduce(most))
-
+        relative_speed = input_speed * load.mechanism.waves_per_turn
     reliability_factor(percent=reliability_percent)  # refuses what is not in the table
-    carried = (loads.most > 0).reshape(-1, mechanism.satellites).all(axis=0)
-    idle = (np.flatnonzero(~carried) + 1).tolist()
+    satellites = _Satellites(load, eccentricity * load.mechanism.ratio, mesh, EXPONENTS[kind])
+    most = distribution_factor
+    rest = uneven_shares(satellites=load.mechanism.satellites, distribution_factor=most).min()
+    loads = others = satellites.loads(most * load.output_torque, centrifugal)
+    if rest < most:
+        others = satellites.loads(rest * load.output_torque, centrifugal)
+    factor = np.asarray(ring_factor)[..., None]
     found = SatelliteBearings(
         given_speed=relative_speed,
         mesh=mesh,
         radial_force_ratio=loads.ratio,
         peak_load=loads.most,
         min_load=others.least,
-        equivalent_load=np.asarray(ring_factor)[..., None] * loads.mean,
-        lesser_load=np.asarray(ring_factor)[..., None] * others.mean,
+        equivalent_load=factor * loads.mean,
+        lesser_load=factor * others.mean,
         peak_ring_force=loads.ring,
-        static_loads=cache(static_loads),
+        static_loads=cache(partial(satellites.largest, most * load.static_torque, centrifugal)),
         kind=kind,
         dynamic_rating=dynamic_rating,
         static_rating=static_rating,
         reliability_percent=reliability_percent,
         weibull_slope=weibull_slope,
         load_accuracy=loads.accuracy,
-        notices=(*mesh.notices, *(Notice("satellite_idle", {"satellite": j}) for j in idle)),
     )
     for name in ("life", "system_life", "static_safety_factor"):
         with suppress(NotKnown):
             getattr(found, name)  # refuses what is out of range
-    return replace(found, notices=(*found.notices, *poorly_known(found.accuracy)))
+    return found
 
 
 def uneven_shares(*, satellites: int, distribution_factor: float) -> FloatArray:
@@ -325,45 +279,60 @@ class _Loads:
     accuracy: Accuracy
 
 
-def _ideal_loads(
-    *,
-    mechanism: Mechanism,
-    force_exponent: float,
-    across: Number,
-    arm: Number,
-    mesh: RingMesh,
-    centrifugal: Number = 0.0,
-    exponent: float,
-) -> _Loads:
-    """Loads under the ideal forces, for all designs."""
-    turn = ideal_turn(
-        1.0, mechanism=mechanism, force_exponent=force_exponent, pin_circle_radius=1.0
-    )
-    across, along, rho, relief = (
-        np.asarray(each, dtype=np.float64)[..., None, None]
-        for each in (across, arm, mesh.radial_force_ratio, centrifugal)
-    )
-    rings = across * (rho + 1j) * turn.couple
-    held = rings + across * along * turn.on_satellites.real - relief
-    off = mesh.error * max(1.0, float(np.abs(rho).max()))  # over W, which never exceeds the load
-    ratio = mesh.radial_force_ratio
-    return _loads([(turn, held, rings)], [turn.error + SEARCHED + off], ratio, exponent)
+@dataclass(frozen=True)
+class _Satellites:
+    """Satellites under the forces of pins and ring, whose bearings they load."""
 
+    load: PinCircleLoad[SampledTurn]
+    arm: Number  # lever e*u of the ring's force about the satellite's centre, m
+    mesh: RingMesh
+    exponent: float  # exponent p of the life
 
-def _made_loads(
-    turns: list[SampledTurn], arm: float, mesh: RingMesh, centrifugal: float, exponent: float
-) -> _Loads:
-    """Loads under the forces of the mechanism as made, in the worse direction."""
-    forces, errors, ratios = [], [], []
-    for turn in turns:
-        parts = made_parts(turn=turn, arm=arm, radial_force_ratio=float(mesh.radial_force_ratio))
-        given = mesh.error * max(1.0, abs(parts.ratio))
-        held = parts.load - centrifugal
-        forces.append((turn, held, parts.ring))
-        missed = turn.missed(held) / np.abs(held).max()
-        errors.append(missed + turn.error + (0.0 if parts.solved else given))
-        ratios.append(parts.ratio)
-    return _loads(forces, errors, max(ratios, key=abs), exponent)
+    def loads(self, torque: Number, centrifugal: Number) -> _Loads:
+        """Loads under a torque, N*m, in the worse direction, with a centrifugal force, N."""
+        if self.load.made is None:
+            return self._ideal(torque, centrifugal)
+        return self._made(self.load.turns(torque), centrifugal)
+
+    def largest(self, torque: Number, centrifugal: Number) -> FloatArray:
+        """Largest loads under a torque, N*m, with a centrifugal force, N, and at rest."""
+        found = self.loads(torque, 0.0).most
+        if np.any(centrifugal):
+            found = np.maximum(found, self.loads(torque, centrifugal).most)
+        return found
+
+    def _ideal(self, torque: Number, centrifugal: Number) -> _Loads:
+        """Loads under the ideal forces, for all designs."""
+        load, ratio = self.load, self.mesh.radial_force_ratio
+        turn = ideal_turn(
+            1.0,
+            mechanism=load.mechanism,
+            force_exponent=load.force_exponent,
+            pin_circle_radius=1.0,
+        )
+        columns: list[Number] = [
+            np.asarray(each, dtype=np.float64)[..., None, None]
+            for each in (torque / self.arm, self.arm / load.pin_circle_radius, ratio, centrifugal)
+        ]
+        across, along, rho, relief = columns
+        rings = across * (rho + 1j) * turn.couple
+        held = rings + across * along * turn.on_satellites.real - relief
+        off = self.mesh.error * max(1.0, float(np.abs(rho).max()))  # over W, at most the load
+        return _loads([(turn, held, rings)], [turn.error + SEARCHED + off], ratio, self.exponent)
+
+    def _made(self, turns: list[SampledTurn], centrifugal: float) -> _Loads:
+        """Loads under the forces of the mechanism as made, in the worse direction."""
+        forces, errors, ratios = [], [], []
+        for turn in turns:
+            rho = float(self.mesh.radial_force_ratio)
+            parts = made_parts(turn=turn, arm=self.arm, radial_force_ratio=rho)
+            given = self.mesh.error * max(1.0, abs(parts.ratio))
+            held = parts.load - centrifugal
+            forces.append((turn, held, parts.ring))
+            missed = turn.missed(held) / np.abs(held).max()
+            errors.append(missed + turn.error + (0.0 if parts.solved else given))
+            ratios.append(parts.ratio)
+        return _loads(forces, errors, max(ratios, key=abs), self.exponent)
 
 
 def _loads(

@@ -40,8 +40,10 @@ class CrankResults:
             self.design,
             "bearing",
             lambda: satellite_bearings(
-                **self.output.turning,
+                load=self.output.pin_load,
+                eccentricity=self.design.contact.eccentricity,
                 mesh=mesh,
+                input_speed=self.design.speeds and self.design.speeds.turning,
                 distribution_factor=self.design.disc_factor,
                 centrifugal=self.centrifugal,
                 kind=bearing.kind,
@@ -50,67 +52,72 @@ class CrankResults:
                 reliability_percent=bearing.reliability_percent,
                 ring_factor=bearing.ring_factor,
                 weibull_slope=bearing.weibull_slope,
-                peak_torque=self.design.static_torque,
             ),
         )
 
     @derived
     def shaft(self) -> Crankshaft:
         """Reactions and balance of the crankshaft, for at most `MOST_BEARING_PAIRS` pairs."""
-        return self._shaft()
+        return self._shaft(if_known(lambda: self._balance))
 
     @derived
     def still_shaft(self) -> Crankshaft:
         """Reactions of the crankshaft without centrifugal forces of the satellites."""
-        return self._shaft(satellite_mass=None)
+        return self._shaft(None)
 
-    def _shaft(self, **other: Any) -> Crankshaft:
-        own = self.design.crankshaft
+    def _shaft(self, balance: Balance | None) -> Crankshaft:
+        design, own = self.design, self.design.crankshaft
         if not own:
             raise NotKnown("section_missing", "crankshaft")
-        mesh, speeds = self.ring.on_crank, self.design.known_speeds
+        mesh, speeds = self.ring.on_crank, design.known_speeds
         self.output.limit_pairs(MOST_BEARING_PAIRS)
-        given = self.output.turning | self._on_shaft | {"input_speed": speeds.crank} | other
+        bearings: dict[str, Any] = {}
         if own.bearings:
-            given |= {
+            bearings = {
                 "bearing_speeds": tuple(speeds.against(each.seat) for each in own.bearings),
                 "kinds": tuple(each.kind for each in own.bearings),
                 "dynamic_ratings": tuple(each.dynamic_rating for each in own.bearings),
             }
         return named(
-            self.design,
+            design,
             "crankshaft",
-            lambda: crankshaft(**given, mesh=mesh, distribution_factor=self.design.disc_factor),
+            lambda: crankshaft(
+                load=self.output.pin_load,
+                eccentricity=design.known_eccentricity,
+                mesh=mesh,
+                distribution_factor=design.disc_factor,
+                satellite_positions=own.satellite_positions,
+                bearing_positions=own.bearing_positions,
+                balance=balance,
+                **bearings,
+            ),
         )
-
-    @property
-    def _on_shaft(self) -> dict[str, Any]:
-        """Places and masses on the crankshaft, as arguments."""
-        own = self.design.crankshaft
-        return {
-            "satellite_positions": own.satellite_positions,
-            "bearing_positions": own.bearing_positions,
-            "satellite_mass": own.satellite_mass,
-            "counterweights": own.counterweights,
-            "rotor_mass": own.rotor_mass,
-        }
 
     @derived
     def balance(self) -> Balance:
         """Balance of the crankshaft at its speed, which needs no forces."""
-        design, made = self.design, self.design.deviations or Deviations()
-        _ = design.satellite_mass
+        made = self.design.deviations or Deviations()
+        _ = self.design.satellite_mass
         if any((*made.eccentricity, *made.crank_phase)):
             raise NotKnown("cranks_deviate")
-        speed, eccentricity = design.known_speed, design.known_eccentricity
+        return self._balance
+
+    @derived
+    def _balance(self) -> Balance:
+        """Balance of the crankshaft with its cranks as they are meant."""
+        design, own = self.design, self.design.crankshaft
         return named(
             design,
             "crankshaft",
             lambda: balance(
-                eccentricity=eccentricity,
+                satellite_mass=design.satellite_mass,
+                eccentricity=design.known_eccentricity,
                 crank_angles=design.built.crank_angles,
-                input_speed=speed,
-                **self._on_shaft,
+                satellite_positions=own.satellite_positions,
+                bearing_positions=own.bearing_positions,
+                counterweights=own.counterweights,
+                input_speed=design.known_speed,
+                rotor_mass=own.rotor_mass,
             ),
         )
 

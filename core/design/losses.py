@@ -9,7 +9,7 @@ from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.errors import Accuracy, Notice, NotKnown, derived
 from core.output.losses import BarePins, PinLosses, Sleeves, pin_losses
-from core.output.sampled_turn import WAYS, SampledTurn
+from core.output.sampled_turn import SampledTurn
 
 
 def made_losses(
@@ -73,15 +73,13 @@ class LossResults:
         return BarePins(design.contact.hole_radius)
 
     def _of_pins(self) -> PinLosses:
-        design, friction, load = self.design, self.design.output_friction, self.design.load
+        design, friction = self.design, self.design.output_friction
         eccentricity, turns = design.known_eccentricity, self._turns
         speeds = design.known_speeds
         found = pin_losses(
-            mechanism=design.driven,
-            force_exponent=load.force_exponent,
-            output_torque=design.pin_torque,
-            pin_circle_radius=design.pin_circle_radius,
+            load=self.output.pin_load,
             input_speed=speeds.turning,
+            output_power=self.output.member_loads.output_power,
             eccentricity=eccentricity,
             pin_radius=design.contact.pin_radius,
             contact_length=design.contact.contact_length,
@@ -90,7 +88,6 @@ class LossResults:
             rubbing=self._rubbing,
             wear_rate=friction.wear_rate,
             life=design.life_of(friction),
-            output_power=self.output.member_loads.output_power,
         )
         bare = design.sleeved and not friction.sleeve
         if bare and design.pin.diameter < 2 * design.nominal_pair.pin_radius:
@@ -106,9 +103,7 @@ class LossResults:
         """Solved forces in each direction of the torque; empty if ideal forces are judged."""
         if not self.output.solved:
             return []
-        load = self.design.load
-        torque = self.design.pin_torque
-        return [self.output.made(way * torque) for way in WAYS[load.torque_direction]]
+        return self.output.pin_load.turns(self.design.pin_torque)
 
     @derived
     def turn(self) -> SampledTurn:

@@ -1,12 +1,13 @@
 """Interface of the forces on the output pins that results of ring, crank and friction use."""
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Protocol
 
 from core.design.document import Design
 from core.output.mechanism import MemberLoads
 from core.output.over_turn import OverTurn
-from core.output.sampled_turn import Made
+from core.output.pin_circle_load import PinCircleLoad
+from core.output.sampled_turn import Made, SampledTurn
 
 
 class OutputForces(Protocol):
@@ -33,8 +34,8 @@ class OutputForces(Protocol):
         """Torques, speeds and powers of crank, pins and ring, without losses."""
 
     @property
-    def turning(self) -> dict[str, Any]:
-        """Arguments that determine the forces and the motion."""
+    def pin_load(self) -> PinCircleLoad[SampledTurn]:
+        """Load on the output pins under the working torque, and the peak torque."""
 
     def limit_pairs(self, most: int) -> None:
         """Raise `NotKnown` if ideal forces of more than `most` pairs are to be integrated."""

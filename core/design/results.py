@@ -27,12 +27,13 @@ from core.output.loaded_position import loaded_position
 from core.output.mechanism import MemberLoads
 from core.output.over_turn import OverTurn
 from core.output.pin_bolt import Grip, grip
+from core.output.pin_circle_load import PinCircleLoad
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.real_mechanism import RealMechanism
 from core.output.real_turn import sampled
 from core.output.room import Deviations, Rooms
-from core.output.sampled_turn import WAYS, Made
+from core.output.sampled_turn import Made, SampledTurn
 from core.output.turn import Turn
 from core.ring.series import MeshesInSeries, in_their_ring, series_position
 from core.ring.series_samples import sampled_in_series
@@ -361,26 +362,18 @@ class Results:
         )
 
     @property
-    def _forced(self) -> dict[str, Any]:
-        """Arguments that determine the forces."""
-        load = self.design.load
-        return {
-            "mechanism": self.design.built,
-            "force_exponent": load.force_exponent,
-            "output_torque": self.design.pin_torque,
-            "pin_circle_radius": self.design.pin_circle_radius,
-            "torque_direction": load.torque_direction,
-            "made": self.made if self.solved else None,
-        }
-
-    @property
-    def turning(self) -> dict[str, Any]:
-        """Arguments that determine the forces and the motion."""
-        moving = {
-            "eccentricity": self.design.contact.eccentricity,
-            "input_speed": self.design.speeds and self.design.speeds.turning,
-        }
-        return self._forced | moving
+    def pin_load(self) -> PinCircleLoad[SampledTurn]:
+        """Load on the output pins under the working torque, with the peak torque."""
+        design = self.design
+        return PinCircleLoad(
+            mechanism=design.built,
+            force_exponent=design.load.force_exponent,
+            output_torque=design.pin_torque,
+            peak_torque=design.static_torque,
+            pin_circle_radius=design.pin_circle_radius,
+            torque_direction=design.load.torque_direction,
+            made=self.made if self.solved else None,
+        )
 
     def limit_pairs(self, most: int) -> None:
         """Raise `NotKnown` if ideal forces of more than `most` pairs are to be integrated."""
@@ -395,13 +388,17 @@ class Results:
     @property
     def loaded_pins(self) -> dict[str, Any]:
         """Pins and their loads, as arguments of `pin_stresses`."""
-        pin = self.bent_pin
-        return self._forced | {
-            "application_factor": self.design.load_factor * self.design.distribution_factor,
-            "peak_torque": self.design.static_torque * self.design.distribution_factor,
+        design, pin = self.design, self.bent_pin
+        factor = design.load_factor * design.distribution_factor
+        return {
+            "load": replace(
+                self.pin_load,
+                output_torque=factor * design.pin_torque,
+                peak_torque=design.static_torque * design.distribution_factor,
+            ),
             "diameter": pin.diameter,
             "bore_diameter": pin.bore_diameter,
-            "contact_length": self.design.pin_length,
+            "contact_length": design.pin_length,
             "satellite_positions": pin.satellite_positions,
             "material": pin.material,
             "support": pin.support,
@@ -453,8 +450,8 @@ class Results:
         if not self.solved:
             share = design.static_torque * design.distribution_factor / design.pin_torque
             return float(self.contact_force.peak_force * share)
-        ways = WAYS[design.load.torque_direction]
-        return max(float(abs(self.made(way * design.static_torque).on_pins).max()) for way in ways)
+        turns = self.pin_load.turns(design.static_torque)
+        return max(float(abs(turn.on_pins).max()) for turn in turns)
 
     @derived
     def wall_stress(self) -> float:
@@ -675,13 +672,14 @@ class Results:
             raise NotKnown("section_missing", "rollers")
         eccentricity = design.known_eccentricity
         self.limit_pairs(MOST_BEARING_PAIRS)
-        given = {
-            "eccentricity": eccentricity,
-            "output_torque": design.pin_torque * design.distribution_factor,
-            "peak_torque": design.static_torque * design.distribution_factor,
-        }
         found = pin_rollers(
-            **self.turning | given,
+            load=replace(
+                self.pin_load,
+                output_torque=design.pin_torque * design.distribution_factor,
+                peak_torque=design.static_torque * design.distribution_factor,
+            ),
+            eccentricity=eccentricity,
+            input_speed=design.speeds.turning if design.speeds else None,
             pin_radius=design.pair.pin_radius,
             kind=own.kind,
             ratings=own.ratings,

@@ -15,6 +15,7 @@ from core.errors import InvalidInput, NotKnown, derived, if_known, required
 from core.hertz import Body, first_yield
 from core.numerics.extremes import first_largest
 from core.output.elasticity import RIGID_SUPPORT
+from core.output.pin_circle_load import PinCircleLoad
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_strength import PinStrength, PinStresses, pin_stresses
 from core.output.sampled_turn import WAYS, PinForces
@@ -133,9 +134,8 @@ class RingResults:
         design = self.design
         if not self.output.solved:
             return design.pin_torque * design.disc_factor / design.mechanism.satellites
-        torque = design.pin_torque * factor
-        ways = WAYS[design.load.torque_direction]
-        return max(float(abs(self.output.made(way * torque).couple).max()) for way in ways) / factor
+        turns = self.output.pin_load.turns(design.pin_torque * factor)
+        return max(float(abs(turn.couple).max()) for turn in turns) / factor
 
     def loaded_teeth(self, factor: float) -> dict[str, Any]:
         """Arguments for the load of involute teeth under a factor on the torque."""
@@ -240,19 +240,20 @@ class RingResults:
         design, mesh, pin = self.design, self.mesh, self.pin
         return self._of_ring(
             lambda: pin_stresses(
-                mechanism=mesh.mechanism,
-                output_torque=design.pin_torque * design.ring_factor,
-                application_factor=design.load_factor,
-                peak_torque=design.static_torque * design.ring_factor,
-                torque_direction=design.load.torque_direction,
-                pin_circle_radius=mesh.disc.ring_pin_circle_radius,
+                load=PinCircleLoad(
+                    mechanism=mesh.mechanism,
+                    output_torque=design.load_factor * (design.pin_torque * design.ring_factor),
+                    peak_torque=design.static_torque * design.ring_factor,
+                    torque_direction=design.load.torque_direction,
+                    pin_circle_radius=mesh.disc.ring_pin_circle_radius,
+                    made=self.on_pins,
+                ),
                 contact_length=mesh.contact_length,
                 diameter=pin.diameter,
                 satellite_positions=pin.satellite_positions,
                 material=pin.material,
                 support=pin.support,
                 span=pin.span,
-                made=self.on_pins,
             )
         )
 

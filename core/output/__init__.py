@@ -7,7 +7,6 @@ driving_set         pairs that drive together, segment by segment of the turn
 force_bounds        bounds of the force over a stretch, from what is known at its ends
 force_laws          force of the best placed pair under each law of load sharing
 contact_force       pairs that drive and when, forces over the turn, the exact peak
-losses              friction of the pins: sliding speed, loss, efficiency, pv, wear
 pin_section         section of a pin, solid or bored, and the wall about the bore
 pin_beam            a pin as a beam on several kinds of supports: moment, shear, deflection
 pin_bolt            a bolt through a spacer as the pin: opening, slipping, bending alone
@@ -15,6 +14,8 @@ tie_ring            floating ring that joins the pins' ends: forces and movement
 pin_fatigue         fatigue verdict on a cycle of stress of a pin
 sampled_turn        forces over a turn at samples, and their largest values
 ideal_turn          ideal forces over a turn, sampled
+pin_circle_load     torque on a circle of pins, and the forces that balance it
+losses              friction of the pins: sliding speed, loss, efficiency, pv, wear
 worst_section       search along and around a pin for the place of a largest value
 loaded_pin          a pin under the forces of a turn: largest stresses, worst cycle
 tied_pin            pins that a tie ring joins, under the forces of a turn

@@ -13,7 +13,7 @@ from core.numerics.extremes import zoom
 from core.output.pin_beam import PinBeam, section_stress
 from core.output.pin_fatigue import FatigueStrength
 from core.output.pin_section import PinSection
-from core.output.sampled_turn import PinSamples
+from core.output.sampled_turn import PinForces, PinSamples
 from core.output.worst_section import Cells, Place, largest_of_cells, settled
 
 ROUGH, FEWER = 2e-7, 2e-5
@@ -95,6 +95,10 @@ class LoadedPin:
         shear, _ = self.beam.reactions(self.positions)
         none = self.positions + (shear - 0.5) * self.beam.contact_length
         return np.array([0.0, *none, self.beam.span])
+
+    def held(self, turn: PinForces) -> PinForces:
+        """Forces over a turn with those of what joins the pins' ends: here of nothing."""
+        return turn
 
     def by_unit(self, what: str, x: FloatArray) -> FloatArray:
         """Result of a `PinBeam` method at sections by a unit of each load, shape (..., K)."""

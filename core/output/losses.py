@@ -27,6 +27,8 @@ from core.numerics.quadrature import tanh_sinh_rule
 from core.output.contact_force import AT_SWITCH, PHASE_ROUNDING, force_peak, force_ratios
 from core.output.driving_set import Segment, segments
 from core.output.mechanism import Mechanism, WavePhases
+from core.output.pin_circle_load import PinCircleLoad
+from core.output.sampled_turn import PinForces
 from core.precision import CONVERGED, ROUNDING
 
 COARSEST, FINEST = 3, 9
@@ -48,7 +50,7 @@ class TotalForce:
     mean: float  # mean over the whole turn
     least: float  # least value; ranges shorter than `SAME` are left out
     largest: float  # largest value; ranges shorter than `SAME` are left out
-    accuracy: Accuracy
+    accuracy: Accuracy  # that of the largest contact force too
 
 
 @lru_cache(maxsize=1024)
@@ -60,7 +62,7 @@ def total_force(*, mechanism: Mechanism, force_exponent: float = 1.0) -> TotalFo
     phases = mechanism.phases
     count = len(phases.sector_phases) * phases.pins
     if force_exponent == 1 and len(phases.sector_phases) == phases.symmetry and count % 2 == 0:
-        error = 4 * ROUNDING + 4 * math.pi * phases.error
+        error = max(peak.accuracy.relative_error, 4 * ROUNDING + 4 * math.pi * phases.error)
         return TotalForce(
             mean=4 / math.pi,
             least=4 / (count * math.tan(math.pi / count)),
@@ -326,11 +328,9 @@ class PinLosses:
 
 def pin_losses(
     *,
-    mechanism: Mechanism,
-    force_exponent: float = 1.0,
-    output_torque: Number,
-    pin_circle_radius: Number,
+    load: PinCircleLoad[PinForces],
     input_speed: Number,
+    output_power: Number,
     eccentricity: Number,
     pin_radius: Number,
     contact_length: Number,
@@ -339,7 +339,6 @@ def pin_losses(
     distribution_factor: Number = 1.0,
     wear_rate: Number | None = None,
     life: Number = math.inf,
-    output_power: Number | None = None,
 ) -> PinLosses:
     """Sliding speed, loss, efficiency, pv and wear of the pins in the holes.
 
@@ -358,26 +357,26 @@ def pin_losses(
     does not change the forces here, though its couple ``mu*r*sum F`` helps the torque. Heat, oil
     film and seals are left out. `ImpossibleMechanism` is raised if the mechanism has a dead centre.
 
-    The speed w_in of the crank against the ring, rad/s, is 0 where both turn together; the pin
-    radius, m, > 0, is the one that touches the hole: r_in, or r_s of a sleeve. The factor K_alpha
-    >= 1 of uneven sharing on the largest force counts for pv and wear where they are largest; the
-    loss is that of all forces together. The wear rate k is volume over force and distance, m^2/N,
-    the life, s, the time in which pins wear; the output power, W, is ``T*w_in/u``, that of the
-    pins, where not given.
+    The speed w_in of the crank against the ring, rad/s, is 0 where both turn together; the output
+    power, W, > 0, is ``T*w_in/u`` if the pins alone are the output. The pin radius, m, > 0, is the
+    one that touches the hole: r_in, or r_s of a sleeve. The factor K_alpha >= 1 of uneven sharing
+    on the largest force counts for pv and wear where they are largest; the loss is that of all
+    forces together. The wear rate k is volume over force and distance, m^2/N, the life, s, the time
+    in which pins wear.
 
     Six pins, two satellites, 500 N*m at 75 rpm, mu = 0.08: 336 W of 3927 W are lost.
 
-    >>> m = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
-    >>> found = pin_losses(mechanism=m, output_torque=500.0, pin_circle_radius=0.05,
-    ...                    input_speed=50*math.pi, eccentricity=0.002, pin_radius=0.008,
-    ...                    contact_length=0.02, friction_coefficient=0.08,
-    ...                    rubbing=BarePins(0.010))
+    >>> six = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
+    >>> found = pin_losses(
+    ...     load=PinCircleLoad(mechanism=six, output_torque=500.0, pin_circle_radius=0.05),
+    ...     input_speed=50*math.pi, output_power=1250*math.pi, eccentricity=0.002,
+    ...     pin_radius=0.008, contact_length=0.02, friction_coefficient=0.08,
+    ...     rubbing=BarePins(0.010))
     >>> round(found.mean_loss, 3), round(found.efficiency, 6), round(found.min_efficiency, 6)
     (336.0, 0.921182, 0.917768)
     """
     check_positive(
-        output_torque=output_torque,
-        pin_circle_radius=pin_circle_radius,
+        output_power=output_power,
         eccentricity=eccentricity,
         pin_radius=pin_radius,
         contact_length=contact_length,
@@ -389,24 +388,18 @@ def pin_losses(
     if wear_rate is not None:
         check_not_negative(wear_rate=wear_rate)
     slows = rubbing.slowed(pin_radius)
-    total = total_force(mechanism=mechanism, force_exponent=force_exponent)
-    peak = force_peak(mechanism, force_exponent)
-    ratio = mechanism.ratio
-    reference = output_torque / pin_circle_radius
+    mechanism, radius = load.mechanism, load.pin_circle_radius
+    total = total_force(mechanism=mechanism, force_exponent=load.force_exponent)
+    reference = load.output_torque / radius
     relative_speed = input_speed * mechanism.waves_per_turn
     sliding = eccentricity * relative_speed
     sliding_speed = sliding * slows
     loss = friction_coefficient * sliding_speed * reference
-    if output_power is None:
-        output_power = output_torque * input_speed / ratio
-        share = friction_coefficient * slows * (eccentricity / pin_circle_radius) * (1 + ratio)
-    else:
-        check_positive(output_power=output_power)
-        share = loss / output_power
-    peak_force = distribution_factor * reference * peak.peak_force_ratio
+    share = loss / output_power
+    peak = force_peak(mechanism, load.force_exponent).peak_force_ratio
+    peak_force = distribution_factor * reference * peak
     pv = sliding / (2 * pin_radius * contact_length)
-    error = max(total.accuracy.relative_error, peak.accuracy.relative_error) + 24 * ROUNDING
-    accuracy = Accuracy(total.accuracy.method, error, total.accuracy.evaluations)
+    accuracy = total.accuracy._replace(relative_error=total.accuracy.relative_error + 24 * ROUNDING)
     return PinLosses(
         relative_speed=relative_speed,
         sliding_speed=sliding_speed,
@@ -424,10 +417,7 @@ def pin_losses(
         rubbed=sliding * life / (2 * math.pi) / contact_length,
         pin_radius=pin_radius,
         rubbing=rubbing,
-        friction_couple=friction_coefficient
-        * slows
-        * (pin_radius / pin_circle_radius)
-        * total.mean,
+        friction_couple=friction_coefficient * slows * (pin_radius / radius) * total.mean,
         accuracy=accuracy,
         notices=poorly_known(accuracy),
     )

@@ -10,24 +10,22 @@ of a solid pin.
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import partial
-from typing import Any
 
 import numpy as np
 
-from core.arrays import FloatArray, check_count, check_positive, check_single
+from core.arrays import FloatArray, check_count, check_single
 from core.errors import Accuracy, InvalidInput, Notice, poorly_known, required
 from core.fatigue import LOW_CYCLES
 from core.fields import answer, answered
 from core.hertz import ElasticMaterial
-from core.output.ideal_turn import ideal_turn
 from core.output.loaded_pin import LoadedPin, PinLoads
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam, Support, section_stress
 from core.output.pin_bolt import Grip
+from core.output.pin_circle_load import PinCircleLoad
 from core.output.pin_fatigue import FatigueStrength, PinFatigue, judged
 from core.output.pin_section import check_bore
-from core.output.sampled_turn import WAYS, Direction, PinForces, PinSamples, PinsMade
+from core.output.sampled_turn import PinForces, PinSamples
 from core.output.tie_ring import RingJoint, TieRing
 from core.output.tied_pin import TiedPin, TieRingLoad
 from core.precision import EXACT, ROUNDING, SEARCHED
@@ -137,9 +135,7 @@ class PinStresses:
     material: ElasticMaterial  # material of the pin
     cases: list["_Stresses"]  # largest stresses of one pin if all are alike, or of each
     static: float  # largest equivalent stress under the peak torque over that of the cases
-    method: str  # method of the stresses
-    error: float  # relative error of all stresses
-    evaluations: int  # number of evaluations of the forces
+    accuracy: Accuracy  # accuracy of all stresses
     tie_ring: TieRingLoad | None = None  # loads of the tie ring, if one joins the pins
 
     @property
@@ -183,7 +179,6 @@ class PinStresses:
             notices.append(Notice("short_pin"))
         if isinstance(pin, TiedPin) and pin.ring.joint == "pinned":
             notices.append(Notice("ring_clearance_left_out"))
-        accuracy = Accuracy(self.method, self.error, self.evaluations)
         return PinStrength(
             peak_force=float(max(each.forces.max() for each in found)),
             peak_moment=bent.bent * pin.modulus,
@@ -199,17 +194,14 @@ class PinStresses:
             locus=_locus(pin, worst.loads, mechanism, seen, chi) if locus else None,
             pin=worst.loads.pin,
             tie_ring=self.tie_ring,
-            accuracy=accuracy,
-            notices=(*notices, *poorly_known(accuracy)),
+            accuracy=self.accuracy,
+            notices=(*notices, *poorly_known(self.accuracy)),
         )
 
 
 def pin_stresses(
     *,
-    mechanism: Mechanism,
-    force_exponent: float = 1.0,
-    output_torque: float,
-    pin_circle_radius: float,
+    load: PinCircleLoad[PinForces],
     diameter: float,
     bore_diameter: float = 0.0,
     contact_length: float,
@@ -218,41 +210,30 @@ def pin_stresses(
     support: Support = "cantilever",
     span: float | None = None,
     ring_joint: RingJoint = "pinned",
-    application_factor: float = 1.0,
-    peak_torque: float | None = None,
-    torque_direction: Direction = "driving",
-    made: PinsMade | None = None,
 ) -> PinStresses:
     """Stresses of the pins over the turn.
 
-    The torque T on the output link, N*m, the radius R of the circle of pin centres, the diameters d
-    of pin and bore (at most 0.95 d), and the length b over which each force is spread evenly, m,
-    are > 0. The middle plane z of each disc lies at least b/2 from the carrier's face, and at most
-    ``L - b/2`` with the distance L of the supports, or of the tie ring from the carrier; a
-    cantilever has none. The factor K_A on the torque also counts in the static safety if no peak
-    torque is given. Each cycle of an alternating torque has both senses.
+    The diameters d of pin and bore (at most 0.95 d), and the length b over which each force is
+    spread evenly, m, are > 0. The middle plane z of each disc lies at least b/2 from the carrier's
+    face, and at most ``L - b/2`` with the distance L of the supports, or of the tie ring from the
+    carrier; a cantilever has none. Each cycle of an alternating torque has both senses.
 
-    Ideal forces with the exponent v are shared equally by the discs. `made` gives the forces on the
-    pins of the mechanism as made in their place, see `core.output.real_turn.sampled`; the worst pin
-    counts. `ImpossibleMechanism` is raised if the mechanism has a dead centre.
+    The worst pin of a mechanism as made counts. In reverse an ideal pin feels opposite forces half
+    a turn of the wave later. A pin shorter than half its diameter bends less than its seat gives
+    way. `ImpossibleMechanism` is raised if the mechanism has a dead centre. Source of the ideal
+    forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10); the rest is derived, see docs/theory.md.
+
+    >>> six = Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0)
+    >>> stresses = pin_stresses(
+    ...     load=PinCircleLoad(mechanism=six, output_torque=500.0, pin_circle_radius=0.05),
+    ...     diameter=0.016, contact_length=0.02, satellite_positions=(0.015, 0.037),
+    ...     material=ElasticMaterial(210e9, 0.3, yield_strength=800e6))
+    >>> found = stresses.strength(
+    ...     fatigue=FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6))
+    >>> round(found.peak_bending_stress/1e6, 6), round(found.fatigue.safety_factor, 6)
+    (306.704838, 1.504829)
     """
-    check_single(
-        output_torque=output_torque,
-        pin_circle_radius=pin_circle_radius,
-        diameter=diameter,
-        contact_length=contact_length,
-        span=span,
-        application_factor=application_factor,
-        peak_torque=peak_torque,
-    )
-    check_positive(
-        output_torque=output_torque,
-        application_factor=application_factor,
-        pin_circle_radius=pin_circle_radius,
-    )
-    torque = application_factor * output_torque
-    static_torque = torque if peak_torque is None else peak_torque
-    check_positive(peak_torque=static_torque)
+    check_single(diameter=diameter, contact_length=contact_length, span=span)
     if support != "cantilever" and span is None:
         raise InvalidInput("span", None, "needed", field="support")
     check_bore(bore_diameter=bore_diameter, diameter=diameter)
@@ -265,74 +246,35 @@ def pin_stresses(
         poissons_ratio=material.poissons_ratio,
         span=span if support != "cantilever" else math.inf,
     )
-    _check_positions(mechanism, satellite_positions, beam)
+    _check_positions(load.mechanism, satellite_positions, beam)
     pin = LoadedPin(beam, diameter, np.array(satellite_positions), bore_diameter)
-    ideal = made is None
-    forces: PinsMade = made or partial(
-        ideal_turn,
-        mechanism=mechanism,
-        force_exponent=force_exponent,
-        pin_circle_radius=pin_circle_radius,
-    )
     if support == "tie_ring":
         ring = TieRing(ring_joint, beam.span, beam.rigidity, beam.shear_area)
         pin = TiedPin(beam, diameter, pin.positions, bore_diameter, ring=ring)
-        forces = pin.holding(forces)
-    ways = WAYS[torque_direction]
-    turns = [forces(way * torque) for way in ways]
-    cases = _cases(turns)
+    turns = [pin.held(turn) for turn in load.turns(load.output_torque)]
     found: list[_Stresses] = []
-    for case in reversed(cases):  # Uneven cases come first: the others mostly stay within them.
+    for case in reversed(
+        _cases(turns)
+    ):  # Uneven cases come first: the others mostly stay within them.
         most = max((each.equivalent for each in found), default=0.0)
         found.insert(0, _stresses(pin, case, most))
-    static = static_torque / torque
-    if not ideal and static != 1:
-        again = _cases([forces(way * static_torque) for way in ways])
+    static = load.static_torque / load.output_torque
+    if load.made and static != 1:
+        again = _cases([pin.held(turn) for turn in load.turns(load.static_torque)])
         static = max(pin.equivalent(case, 0.0) for case in again)
         static /= max(each.equivalent for each in found)
     error = max(turn.error for turn in turns) + _of_two_supports(beam, satellite_positions)
+    if not load.made:
+        error += SEARCHED
+    tied = pin.ring_load(turns, load.pin_circle_radius) if isinstance(pin, TiedPin) else None
     return PinStresses(
         pin=pin,
-        mechanism=mechanism,
+        mechanism=load.mechanism,
         material=material,
         cases=found,
         static=static,
-        method="sampling",
-        error=error + SEARCHED if ideal else error,
-        evaluations=sum(turn.evaluations for turn in turns),
-        tie_ring=pin.ring_load(turns, pin_circle_radius) if isinstance(pin, TiedPin) else None,
-    )
-
-
-def pin_strength(
-    *,
-    rotates: bool = False,
-    fatigue: FatigueStrength | None = None,
-    input_speed: float | None = None,
-    locus: bool = False,
-    **loaded: Any,
-) -> PinStrength:
-    """Bending, shear, static safety, fatigue and deflection of the pins.
-
-    The parameters are those of `PinStresses.strength` and `pin_stresses`. Source of the ideal
-    forces: Yanchevskiy and Niekhoroshykh 2021, eq. (10); the rest is derived, see docs/theory.md.
-    In reverse an ideal pin feels opposite forces half a turn of the wave later. A pin shorter than
-    half its diameter bends less than its seat gives way.
-
-    >>> steel = ElasticMaterial(210e9, 0.3, yield_strength=800e6)
-    >>> pin = {"output_torque": 500.0, "pin_circle_radius": 0.05, "diameter": 0.016,
-    ...        "contact_length": 0.02, "satellite_positions": (0.015, 0.037), "material": steel}
-    >>> found = pin_strength(
-    ...     mechanism=Mechanism.evenly_spaced(pins=6, satellites=2, ratio=20.0), **pin,
-    ...     fatigue=FatigueStrength(endurance_limit=300e6, tensile_strength=1000e6))
-    >>> round(found.peak_bending_stress/1e6, 6), round(found.fatigue.safety_factor, 6)
-    (306.704838, 1.504829)
-    """
-    return pin_stresses(**loaded).strength(
-        rotates=rotates,
-        fatigue=fatigue,
-        input_speed=input_speed,
-        locus=locus,
+        accuracy=Accuracy("sampling", error, sum(turn.evaluations for turn in turns)),
+        tie_ring=tied,
     )
 
 

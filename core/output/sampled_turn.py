@@ -171,9 +171,6 @@ def largest_of_samples(*, values: FloatArray, wave: FloatArray, smooth: BoolArra
     return top + np.where(curved, slope**2 / (4 * np.where(curved, bend, 1.0)), 0.0)
 
 
-PinsMade = Callable[[float], PinForces]
-"""Function from a torque, N*m, negative in reverse, to the forces on pins."""
-
 Made = Callable[[float], SampledTurn]
 """Function from a torque, N*m, negative in reverse, to the forces on pins and discs."""
 

@@ -9,7 +9,7 @@ import numpy as np
 from core.arrays import ComplexArray, FloatArray
 from core.fields import answer
 from core.output.loaded_pin import LoadedPin
-from core.output.sampled_turn import PinForces, PinsMade
+from core.output.sampled_turn import PinForces
 from core.output.tie_ring import RingForces, TieRing, ring_forces
 
 
@@ -63,10 +63,6 @@ class TiedPin(LoadedPin):
         """Forces over a turn with those of the ring as the last of each pin."""
         by_ring = self.ring_forces(turn.on_pins).forces
         return replace(turn, on_pins=np.concatenate((turn.on_pins, by_ring[None])))
-
-    def holding(self, made: PinsMade) -> PinsMade:
-        """Function from a torque to the forces with those of the ring."""
-        return lambda torque: self.held(made(torque))
 
     def ring_load(self, turns: list[PinForces], pin_circle_radius: float) -> TieRingLoad:
         """Largest loads of the ring over turns that it holds, for a pin circle radius, m."""

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from contextlib import suppress
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -14,8 +13,6 @@ from core.crank.satellite_bearing import SatelliteBearings, made_parts
 from core.design.results import Results
 from core.errors import NotKnown, if_known
 from core.numerics.extremes import first_largest
-from core.output.ideal_turn import ideal_turn
-from core.output.sampled_turn import WAYS, SampledTurn
 from core.precision import AS_TYPED
 from core.worked.members import take_speed, take_torque
 from core.worked.pins import static_step
@@ -184,15 +181,8 @@ def _loads(
 ) -> tuple[tuple[float, ...], ComplexArray]:
     """Angles of the cranks, and their loads, N, along + i*across, where a reaction is largest."""
     design, rho = results.design, float(results.ring.on_crank.radial_force_ratio)
-    ideal = partial(
-        ideal_turn,
-        mechanism=design.built,
-        force_exponent=design.load.force_exponent,
-        pin_circle_radius=design.pin_circle_radius,
-    )
     lever, largest = design.known_eccentricity * design.mechanism.ratio, []
-    for way in WAYS[design.load.torque_direction]:
-        turn: SampledTurn = (results.made if results.solved else ideal)(way * design.pin_torque)
+    for turn in results.pin_load.turns(design.pin_torque):
         load = made_parts(turn=turn, arm=lever, radial_force_ratio=rho).load
         held = np.abs(arms * np.exp(1j * np.array(turn.crank_angles)) @ load + still)
         at = int(held.argmax())

@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 
 from core.checks.reserve import crank_verdict
 from core.crank.balance import Balance, Counterweight, balance
-from core.crank.crankshaft import crankshaft, reaction_curves
+from core.crank.crankshaft import reaction_curves
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import bearing_curves, satellite_bearings
+from core.crank.satellite_bearing import bearing_curves
 from core.design.curves import design_bearings, design_reactions
 from core.design.document import Design
 from core.design.results import Results
@@ -24,6 +24,7 @@ from core.output.room import Deviations
 from core.output.sampled_turn import SampledTurn
 from core.precision import EXACT, SAME
 from tests.inputs.checks import WHOLE, check_of, having, says
+from tests.inputs.loads import crankshaft, satellite_bearings
 from tests.inputs.satellites import mechanisms
 from tests.oracles.satellites import forces
 
@@ -210,16 +211,22 @@ def test_bearings_by_brute_force(
     z = 0.01 + 0.022 * np.arange(count)
     added = tuple(opposite(*each) for each in some)
     more = 1 + factor * (count - 1)
+    places = {"satellite_positions": tuple(z.tolist()), "bearing_positions": (first, last)}
+    spun = balance(
+        satellite_mass=mass,
+        eccentricity=2e-3,
+        crank_angles=mechanism.crank_angles,
+        **places,
+        counterweights=added,
+        input_speed=SPEED,
+    )
     shaft = crankshaft(
         **LOAD,
+        **places,
         mechanism=mechanism,
         mesh=RingMesh(rho),
         distribution_factor=more,
-        satellite_positions=tuple(z.tolist()),
-        bearing_positions=(first, last),
-        satellite_mass=mass,
-        counterweights=added,
-        input_speed=SPEED,
+        balance=spun,
     )
     psi = (np.arange(4_000) + 0.5) * 2 * np.pi / 4_000
     pins, shares = forces(mechanism, 1.0, psi)
@@ -247,7 +254,6 @@ def test_bearings_by_brute_force(
         peak = np.maximum(peak, held.max(axis=1))
     rough = 2e-3 * (12_500 + 10_000 + pull)
     assert shaft.peak_reaction == pytest.approx(peak, abs=rough)
-    assert shaft.balance is not None
     found = satellite_bearings(
         **LOAD,
         mechanism=mechanism,

@@ -1,18 +1,21 @@
 """Reactions and balance of the crankshaft: reference numbers, balance, the turn by brute force."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.crank.crankshaft import crankshaft, reaction_curves
+from core.crank.balance import Balance, balance
+from core.crank.crankshaft import reaction_curves
 from core.crank.ring_mesh import RingMesh, involute_mesh
-from core.crank.satellite_bearing import bearing_curves, satellite_bearings
+from core.crank.satellite_bearing import bearing_curves
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.output.mechanism import Mechanism
 from core.precision import CONVERGED, SAME, SEARCHED
+from tests.inputs.loads import crankshaft, satellite_bearings
 from tests.inputs.satellites import exponents, mechanisms
 from tests.oracles.satellites import forces
 
@@ -57,7 +60,7 @@ def test_curves_are_the_reactions() -> None:
 
 
 def test_life() -> None:
-    found = crankshaft(**REF, dynamic_ratings=(30e3, None), input_speed=50 * math.pi)
+    found = crankshaft(**REF, dynamic_ratings=(30e3, None), bearing_speeds=(50 * math.pi, 0.0))
     millions = (30e3 / found.equivalent_reaction[0]) ** 3
     assert found.basic_life[0] / 3600 == pytest.approx(millions * 1e6 / (60 * 1500), rel=CONVERGED)
     assert 1 not in found.basic_life
@@ -94,7 +97,7 @@ def test_the_error_of_the_ring_is_in_that_of_the_reactions(rho: float) -> None:
     found = crankshaft(**own)
     off = np.abs(moved / found.peak_reaction - 1).max()
     assert off <= found.accuracy.relative_error < 20 * off
-    lasting = crankshaft(**own, dynamic_ratings=(30e3, 30e3), input_speed=100.0)
+    lasting = crankshaft(**own, dynamic_ratings=(30e3, 30e3), bearing_speeds=(100.0, 100.0))
     error = lasting.accuracy.relative_error
     assert error == pytest.approx(3 * found.accuracy.relative_error, rel=SEARCHED)
 
@@ -116,16 +119,24 @@ def test_curves_have_the_direction_of_the_reactions() -> None:
         assert curves.reaction[:, bearing].imag == pytest.approx(y, rel=SAME)
 
 
-MASS = {"satellite_mass": 1.5, "input_speed": 50 * math.pi}
+def balanced(design: dict[str, Any], speed: float = 50 * math.pi, mass: float = 1.5) -> Balance:
+    """Balance of the satellites of a shaft."""
+    given = ("eccentricity", "satellite_positions", "bearing_positions")
+    return balance(
+        **{name: design[name] for name in given},
+        satellite_mass=mass,
+        crank_angles=design["mechanism"].crank_angles,
+        input_speed=speed,
+    )
 
 
 def test_the_couple_of_two_and_of_three_satellites() -> None:
     """REF of the theory: 1.628485 N*m of two satellites, the root of three times it of three."""
-    two = crankshaft(**REF, **MASS).balance
+    two = balanced(REF)
     assert two.force == pytest.approx(0, abs=1e-12)
     assert f"{two.couple:.6f}" == "1.628485"
     three = REF | {"mechanism": spaced(6, 3), "satellite_positions": (0.009, 0.031, 0.053)}
-    found = crankshaft(**three, **MASS).balance
+    found = balanced(three)
     assert found.couple == pytest.approx(1.628485 * math.sqrt(3), rel=SEARCHED)
     assert found.force == pytest.approx(0, abs=1e-12)
 
@@ -134,9 +145,8 @@ def test_a_bearing_that_holds_nothing() -> None:
     """The satellite on one bearing leaves nothing for the other: no load, no life, no failure."""
     one = LOAD | {"mesh": MESH, "mechanism": spaced(6, 1), "dynamic_ratings": (30e3, 30e3)}
     for place, held in ((0.0, 0), (0.062, 1)):
-        found = crankshaft(
-            **one, satellite_positions=(place,), bearing_positions=(0.0, 0.062), **MASS
-        )
+        shaft = one | {"satellite_positions": (place,), "bearing_positions": (0.0, 0.062)}
+        found = crankshaft(**shaft, balance=balanced(shaft), bearing_speeds=(157.0, 157.0))
         alone = satellite_bearings(
             **LOAD,
             mesh=MESH,
@@ -162,15 +172,15 @@ def test_forces_that_cancel_leave_nothing(
 ) -> None:
     angles = tuple(math.radians(each) for each in degrees)
     mechanism = Mechanism(pins=6, crank_angles=angles, ratio=20.0)
-    found = crankshaft(
-        **LOAD,
-        mesh=MESH,
-        mechanism=mechanism,
-        satellite_positions=places,
-        bearing_positions=(-0.013, 0.062),
-        dynamic_ratings=(30e3, 30e3),
-        **MASS,
-    )
+    shaft = LOAD | {
+        "mesh": MESH,
+        "mechanism": mechanism,
+        "satellite_positions": places,
+        "bearing_positions": (-0.013, 0.062),
+        "dynamic_ratings": (30e3, 30e3),
+        "bearing_speeds": (157.0, 157.0),
+    }
+    found = crankshaft(**shaft, balance=balanced(shaft))
     assert found.peak_reaction.tolist() == found.equivalent_reaction.tolist() == [0, 0]
     assert found.basic_life == {}
     assert (found.balance.force, found.balance.couple) == (0, 0)
@@ -181,9 +191,8 @@ def test_forces_that_cancel_leave_nothing(
 @given(mechanism=mechanisms, speed=st.floats(1, 1e3))
 def test_corrections_balance(mechanism: Mechanism, speed: float) -> None:
     places = tuple(0.01 + 0.022 * j for j in range(mechanism.satellites))
-    design = LOAD | {"mesh": MESH, "mechanism": mechanism, "satellite_positions": places}
-    masses = {"satellite_mass": 1.5, "input_speed": speed}
-    found = crankshaft(**design, bearing_positions=(-0.01, 0.09), **masses).balance
+    design = LOAD | {"mechanism": mechanism, "satellite_positions": places}
+    found = balanced(design | {"bearing_positions": (-0.01, 0.09)}, speed)
     sizes = [1.5 * 2e-3] * len(places) + [each.unbalance for each in found.corrections]
     angles = [*mechanism.crank_angles, *(each.angle for each in found.corrections)]
     vectors = np.array(sizes) * np.exp(1j * np.array(angles))
@@ -233,12 +242,14 @@ def test_what_cannot_be_is_refused() -> None:
         ({"satellite_positions": (0.02,)}, "satellite_positions"),
         ({"bearing_positions": (0.06, 0.0)}, "bearing_positions[1]"),
         ({"bearing_positions": (0.06, 0.06)}, "bearing_positions[1]"),
-        (MASS | {"satellite_mass": 0.0}, "satellite_mass"),
-        (MASS | {"input_speed": 0.0}, "input_speed"),
         ({"eccentricity": 0.0}, "eccentricity"),
     ):
         with pytest.raises(InvalidInput) as refused:
             crankshaft(**REF | change)
+        assert refused.value.parameter == name
+    for still, name in (({"mass": 0.0}, "satellite_mass"), ({"speed": 0.0}, "input_speed")):
+        with pytest.raises(InvalidInput) as refused:
+            balanced(REF, **still)
         assert refused.value.parameter == name
     one = {"mechanism": spaced(2, 1), "satellite_positions": (0.02,)}
     with pytest.raises(ImpossibleMechanism):

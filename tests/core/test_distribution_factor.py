@@ -10,9 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.crank.crankshaft import crankshaft
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import satellite_bearings
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import InvalidInput
@@ -21,6 +19,7 @@ from core.output.mechanism import Mechanism
 from core.output.room import Deviations
 from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.checks import REF, WHOLE, check_of, having
+from tests.inputs.loads import crankshaft, satellite_bearings
 from tests.inputs.satellites import mechanisms
 from tests.oracles.satellites import forces
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from core.output.pin_strength import pin_strength
 from core.precision import SEARCHED
+from tests.inputs.loads import pin_strength
 from tests.inputs.pins import pin_design, solved
 from tests.oracles.pin_scan import pin_extremes
 

@@ -24,9 +24,10 @@ from core.output.elasticity import (
     contact_compliance,
 )
 from core.output.mechanism import Mechanism
-from core.output.pin_strength import PinStresses, pin_stresses
+from core.output.pin_strength import PinStresses
 from core.precision import EXACT, SAME
 from tests.inputs.checks import WHOLE, having
+from tests.inputs.loads import pin_stresses
 from tests.inputs.real_mechanisms import UNLIKE, made
 from tests.oracles.checks import PRESSURE, compliance
 from tests.oracles.pin import bend

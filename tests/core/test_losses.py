@@ -10,15 +10,17 @@ from hypothesis import strategies as st
 from core.errors import ImpossibleMechanism, InvalidInput, is_known
 from core.numerics.quadrature import tanh_sinh_rule
 from core.output.contact_force import force_ratios
-from core.output.losses import BarePins, Sleeves, TotalForce, loss_curves, pin_losses, total_force
+from core.output.losses import BarePins, Sleeves, TotalForce, loss_curves, total_force
 from core.output.mechanism import Mechanism, pin_geometry
 from core.precision import CONVERGED, EXACT, SAME
+from tests.inputs.loads import pin_losses
 from tests.oracles.losses import total
 
 REFERENCE = {
     "output_torque": 500.0,
     "pin_circle_radius": 0.05,
     "input_speed": 1500 * math.pi / 30,
+    "output_power": 500.0 * 1500 * math.pi / 30 / 20,
     "eccentricity": 0.002,
     "pin_radius": 0.008,
     "contact_length": 0.02,

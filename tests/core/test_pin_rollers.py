@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from core.checks.usual_fit import usual_clearance
-from core.crank.pin_rollers import UNKNOWN_ELEMENTS, PinRollers, pin_rollers, unsupported_shares
+from core.crank.pin_rollers import UNKNOWN_ELEMENTS, PinRollers, unsupported_shares
 from core.design.document import Design
 from core.design.results import Results
 from core.design.sections import Friction, Rollers
@@ -21,6 +21,7 @@ from core.output.pin_beam import PinBeam
 from core.output.turn import Turn
 from core.precision import EXACT, SAME, SEARCHED
 from tests.inputs.checks import WHOLE, check_of, fixes_of, having
+from tests.inputs.loads import pin_rollers
 from tests.oracles.pin_rollers import ring_speed, shares
 
 SMALL: dict[str, Any] = {

@@ -6,9 +6,9 @@ import pytest
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength
-from core.output.pin_strength import pin_strength
 from core.output.sampled_turn import SampledTurn
 from core.precision import CONVERGED, EXACT, SAME, SEARCHED
+from tests.inputs.loads import pin_strength
 from tests.inputs.real_mechanisms import REFERENCE, UNLIKE, made
 
 EQUAL = 10000 / 3

@@ -29,9 +29,10 @@ from core.output.loaded_pin import PinLoads
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam
 from core.output.pin_fatigue import FatigueStrength, judged
-from core.output.pin_strength import PinStrength, pin_strength, pin_stresses
+from core.output.pin_strength import PinStrength
 from core.output.sampled_turn import PinSamples
 from core.precision import CONVERGED, EXACT, JUDGED, SAME, SEARCHED
+from tests.inputs.loads import pin_strength, pin_stresses
 from tests.inputs.real_mechanisms import PIN, REFERENCE, STRENGTH
 from tests.inputs.satellites import exponents, mechanisms
 

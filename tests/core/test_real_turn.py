@@ -12,9 +12,9 @@ import pytest
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
-from core.crank.crankshaft import crankshaft, reaction_curves
+from core.crank.crankshaft import reaction_curves
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import bearing_curves, made_parts, satellite_bearings
+from core.crank.satellite_bearing import bearing_curves, made_parts
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.hertz import ElasticMaterial
 from core.output.elasticity import (
@@ -29,12 +29,12 @@ from core.output.mechanism import Mechanism
 from core.output.over_turn import over_turn
 from core.output.pin_beam import face_load_factor
 from core.output.pin_fatigue import FatigueStrength
-from core.output.pin_strength import pin_strength
 from core.output.real_curves import real_curves
 from core.output.real_mechanism import RealMechanism
 from core.output.real_turn import refined
 from core.output.room import Deviations
 from core.precision import CONVERGED, EXACT, JUDGED, SAME
+from tests.inputs.loads import crankshaft, pin_strength, satellite_bearings
 from tests.inputs.real_mechanisms import UNLIKE, design, made, real_turn, reals
 
 STEEL = ElasticMaterial(210e9, 0.3, yield_strength=800e6)
@@ -287,11 +287,11 @@ def test_curves_in_reverse() -> None:
     assert np.abs(curves.reaction).max(axis=0) == pytest.approx(reactions, rel=JUDGED)
 
 
-def test_application_factor_and_peak_torque() -> None:
+def test_a_larger_torque_and_a_peak_torque() -> None:
     mechanism = spaced(6, 2)
     reference = PIN | {"mechanism": mechanism, "satellite_positions": (0.015, 0.037)}
     plain = pin_strength(**reference)
-    harder = pin_strength(**reference, application_factor=1.5)
+    harder = pin_strength(**reference | {"output_torque": 750.0})
     doubled = pin_strength(**reference, peak_torque=1000.0)
     assert harder.peak_force == pytest.approx(1.5 * plain.peak_force, rel=CONVERGED)
     assert harder.fatigue.safety_factor == pytest.approx(

@@ -13,10 +13,11 @@ from hypothesis import strategies as st
 
 from core.crank.bearing_life import rating_life, reliability_factor, system_life
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
-from core.crank.satellite_bearing import bearing_curves, satellite_bearings
+from core.crank.satellite_bearing import bearing_curves
 from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.output.mechanism import Mechanism, pin_geometry
 from core.precision import CONVERGED, EXACT, SAME, SEARCHED
+from tests.inputs.loads import satellite_bearings
 from tests.inputs.satellites import exponents, mechanisms
 from tests.oracles.satellites import forces
 

@@ -7,17 +7,15 @@ from typing import Any, get_type_hints
 import numpy as np
 import pytest
 
-from core.crank.crankshaft import crankshaft
 from core.crank.ring_mesh import RingMesh
-from core.crank.satellite_bearing import satellite_bearings
 from core.errors import InvalidInput
 from core.output.contact_force import contact_force
 from core.output.loaded_position import loaded_position
 from core.output.mechanism import pin_fit
 from core.output.over_turn import over_turn
-from core.output.pin_strength import pin_strength, pin_stresses
 from core.output.real_curves import real_curves, stiffness_curve
 from core.output.real_mechanism import RealMechanism
+from tests.inputs.loads import crankshaft, pin_strength, pin_stresses, satellite_bearings
 from tests.inputs.real_mechanisms import REFERENCE, UNLIKE, made
 
 REAL = {"real": UNLIKE, "output_torque": 200.0}
@@ -40,8 +38,6 @@ SINGLE: list[tuple[Callable[..., Any], dict[str, Any]]] = [
         | {
             "satellite_positions": (0.015, 0.037),
             "bearing_positions": (0.0, 0.05),
-            "satellite_mass": 0.5,
-            "input_speed": 150.0,
         },
     ),
     (
@@ -50,11 +46,15 @@ SINGLE: list[tuple[Callable[..., Any], dict[str, Any]]] = [
     ),
 ]
 
+LOADED = ("output_torque", "pin_circle_radius", "peak_torque")
+"""Numbers of a load on pins."""
+
 
 def numbers(function: Callable[..., Any]) -> set[str]:
     """Parameters that are one number."""
     hints = get_type_hints(function if inspect.isfunction(function) else function.__init__)
-    return {name for name, hint in hints.items() if hint in (float, float | None)}
+    own = {name for name, hint in hints.items() if hint in (float, float | None)}
+    return own | ({*LOADED} if "load" in hints else set())
 
 
 @pytest.mark.parametrize(

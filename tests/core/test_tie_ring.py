@@ -17,12 +17,13 @@ from core.output.elasticity import LinearLaw, PinSupport, PowerLaw, ring_of
 from core.output.loaded_position import LoadedPosition, loaded_position
 from core.output.mechanism import Mechanism
 from core.output.pin_beam import PinBeam
-from core.output.pin_strength import PinStrength, pin_strength
+from core.output.pin_strength import PinStrength
 from core.output.real_mechanism import RealMechanism
 from core.output.room import Deviations
 from core.output.tie_ring import RingForces, RingJoint, TieRing, ring_forces
 from core.output.tied_pin import TiedPin
 from core.precision import EXACT, JUDGED, SEARCHED
+from tests.inputs.loads import pin_strength
 from tests.inputs.real_mechanisms import STEEL, made
 from tests.oracles import tie_ring as oracle
 

@@ -4,6 +4,7 @@ Modules
 -------
 checks             a design whose checks are known by hand, and what a check says
 satellites         random mechanisms
+loads              functions on a load of pins, called with the fields of the load
 real_mechanisms    mechanisms with clearance, deviations and elasticity
 misfits            mechanisms with misfits, for core and for plain distances
 cases              random mechanisms, gears and rollers, awkward ones well represented

@@ -10,7 +10,7 @@ import pytest
 
 from core.output.mechanism import Mechanism
 from core.output.pin_fatigue import FatigueStrength
-from core.output.pin_strength import pin_strength
+from tests.inputs.loads import pin_strength
 from tests.inputs.real_mechanisms import PIN_STEEL
 
 HIDDEN = json.loads(

@@ -8,9 +8,10 @@ import math
 
 import pytest
 
-from core.output.losses import Sleeves, pin_losses
+from core.output.losses import Sleeves
 from core.output.mechanism import Mechanism
 from core.precision import CONVERGED
+from tests.inputs.loads import pin_losses
 
 K1, PIN, SLEEVE, RING, HOLES, TEETH, FRICTION = 0.77495208, 14.0, 2.0, 140.0, 90.0, 44, 0.02
 
@@ -21,6 +22,7 @@ def test_efficiency_of_xw3() -> None:
         output_torque=200.0,
         pin_circle_radius=HOLES / 2000,
         input_speed=100.0,
+        output_power=200.0 * 100.0 / (TEETH - 1),
         eccentricity=K1 * RING / (2 * TEETH) / 1000,
         pin_radius=(PIN / 2 + SLEEVE) / 1000,
         rubbing=Sleeves(PIN / 1000),
