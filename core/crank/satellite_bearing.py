@@ -74,6 +74,7 @@ class SatelliteBearings:
     reliability_percent: float  # required reliability
     weibull_slope: Number | None  # slope beta of the distribution of lives
     load_accuracy: Accuracy  # accuracy of loads over those of the most loaded satellite
+    notices: tuple[Notice, ...] = answer()  # of the ring, idle satellites and poorly known results
 
     @property
     @answered("deg", "α_w", optional=True)
@@ -143,15 +144,6 @@ class SatelliteBearings:
             error *= EXPONENTS[self.kind]
         return self.load_accuracy._replace(relative_error=error + 8 * ROUNDING)
 
-    @property
-    @answered()
-    def notices(self) -> tuple[Notice, ...]:
-        """Notices of the ring, of satellites without a load, and of poorly known results."""
-        loads = self.peak_load.reshape(-1, self.peak_load.shape[-1])
-        idle = (np.flatnonzero(~(loads > 0).all(axis=0)) + 1).tolist()
-        still = (Notice("satellite_idle", {"satellite": j}) for j in idle)
-        return (*self.mesh.notices, *still, *poorly_known(self.accuracy))
-
 
 def satellite_bearings(
     *,
@@ -203,11 +195,13 @@ def satellite_bearings(
         relative_speed = input_speed * load.mechanism.waves_per_turn
     reliability_factor(percent=reliability_percent)  # refuses what is not in the table
     satellites = _Satellites(load, eccentricity * load.mechanism.ratio, mesh, EXPONENTS[kind])
-    most = distribution_factor
-    rest = uneven_shares(satellites=load.mechanism.satellites, distribution_factor=most).min()
+    most, count = distribution_factor, load.mechanism.satellites
+    rest = uneven_shares(satellites=count, distribution_factor=most).min()
     loads = others = satellites.loads(most * load.output_torque, centrifugal)
     if rest < most:
         others = satellites.loads(rest * load.output_torque, centrifugal)
+    carried = (loads.most > 0).reshape(-1, count).all(axis=0)
+    idle = (np.flatnonzero(~carried) + 1).tolist()
     factor = np.asarray(ring_factor)[..., None]
     found = SatelliteBearings(
         given_speed=relative_speed,
@@ -225,11 +219,12 @@ def satellite_bearings(
         reliability_percent=reliability_percent,
         weibull_slope=weibull_slope,
         load_accuracy=loads.accuracy,
+        notices=(*mesh.notices, *(Notice("satellite_idle", {"satellite": j}) for j in idle)),
     )
     for name in ("life", "system_life", "static_safety_factor"):
         with suppress(NotKnown):
             getattr(found, name)  # refuses what is out of range
-    return found
+    return replace(found, notices=(*found.notices, *poorly_known(found.accuracy)))
 
 
 def uneven_shares(*, satellites: int, distribution_factor: float) -> FloatArray:

@@ -253,9 +253,8 @@ def pin_stresses(
         pin = TiedPin(beam, diameter, pin.positions, bore_diameter, ring=ring)
     turns = [pin.held(turn) for turn in load.turns(load.output_torque)]
     found: list[_Stresses] = []
-    for case in reversed(
-        _cases(turns)
-    ):  # Uneven cases come first: the others mostly stay within them.
+    # Uneven cases come first: the others mostly stay within them.
+    for case in reversed(_cases(turns)):
         most = max((each.equivalent for each in found), default=0.0)
         found.insert(0, _stresses(pin, case, most))
     static = load.static_torque / load.output_torque
