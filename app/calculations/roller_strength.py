@@ -288,7 +288,7 @@ def roller_figure(
         ),
         marker(
             text("design"),
-            design.length_ratio,
+            design.shape.length,
             design.relative_stiffness,
             theme,
             text("design_stiffness", stiffness=Amount("%{y:.5g}")),
@@ -361,7 +361,7 @@ def roller_figure(
     data.append(
         marker(
             text("design"),
-            design.length_ratio,
+            design.shape.length,
             stress,
             theme,
             text(

@@ -77,7 +77,7 @@ class LossResults:
         eccentricity, turns = design.known_eccentricity, self._turns
         speeds = design.known_speeds
         found = pin_losses(
-            load=self.output.pin_load,
+            load=replace(self.output.pin_load, mechanism=design.driven),
             input_speed=speeds.turning,
             output_power=self.output.member_loads.output_power,
             eccentricity=eccentricity,

@@ -42,7 +42,7 @@ def roller_curves(**design: Any) -> RollerCurves:
     """
     found = roller_strength(**design)
     rollers, diameter = design["rollers"], design["diameter"]
-    length = found.length_ratio
+    length = found.shape.length
     ratios = np.linspace(min(0.5, length / 2), max(4.0, 1.5 * length), SAMPLES)
     limit = single_roller_limit(rollers=rollers)
     delta = found.relative_position_error

@@ -121,6 +121,33 @@ def roller_arguments(**given: Any) -> dict[str, Any]:
     return made
 
 
+@dataclass(frozen=True, slots=True)
+class RollerShape:
+    """Sizes of a roller over the diameter of its cylinder."""
+
+    length: Number  # l/d of the cylinder between two spheres
+    width: Number  # b/d of a sphere
+    sphere: Number  # D/d of a sphere
+
+    def relative_stiffness(self, *, friction_coefficient: Number, modulus_ratio: Number) -> Number:
+        """Relative stiffness ``c/(b*E)`` of one end of a roller, dimensionless.
+
+        With l, b, D for l/d, b/d, D/d the compliance is the sum of
+        ``64*b*l/pi*((k*D + b)*l/4 + l^2/3 + b*(l + k*D + b)/4)`` and
+        ``4*1.11*b*(E/G)/pi*(l + b/2)``. Source: Ovsyannikov et al. 2019, eq. (10), fig. 4. k is the
+        friction coefficient, E/G the ratio of moduli.
+
+        >>> shape = RollerShape(length=2.0, width=0.8, sphere=1.5)
+        >>> round(shape.relative_stiffness(friction_coefficient=0.16, modulus_ratio=210/78), 9)
+        0.011424309
+        """
+        length, width = self.length, self.width
+        end = friction_coefficient * self.sphere + width
+        bending = end * length / 4 + length * length / 3 + width * (length + end) / 4
+        shear = SHEAR_FACTOR * modulus_ratio * (length + width / 2)
+        return math.pi / (width * (64 * length * bending + 4 * shear))
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RollerStrength:
     """Load sharing and strength of swinging rollers of one design or of an array of designs."""
@@ -151,9 +178,7 @@ class RollerStrength:
     """Bending stress over the modulus of elasticity."""
     loaded_rollers: int | IntArray = answer()
     """Number of rollers that carry."""
-    length_ratio: Number  # length of the cylinder over its diameter
-    sphere_ratio: Number  # diameter of a sphere over that of the cylinder
-    width_ratio: Number  # width of a sphere over its diameter
+    shape: RollerShape  # relative sizes
     deflection_ratio: Number  # deflection of the most loaded roller over its length
     # Error relative to each number; for single forces relative to the largest force; for the
     # displacement and the relative position error relative to the largest gap's, if that is more.
@@ -164,9 +189,9 @@ class RollerStrength:
     def notices(self) -> tuple[Notice, ...]:
         """Notices on assumptions that one design (not an array) strains."""
         strained = {
-            "short_roller": self.length_ratio < SHORT_ROLLER,
-            "sphere_below_roller": self.sphere_ratio < 1,
-            "sphere_too_wide": self.width_ratio > 1,
+            "short_roller": self.shape.length < SHORT_ROLLER,
+            "sphere_below_roller": self.shape.sphere < 1,
+            "sphere_too_wide": self.shape.width > self.shape.sphere,
             "large_deflection": self.deflection_ratio > LARGE_DEFLECTION,
         }
         assumptions = tuple(Notice(code) for code, holds in strained.items() if holds)
@@ -229,18 +254,16 @@ def roller_strength(
     check_not_negative(friction_coefficient=friction_coefficient)
     if rollers < 1:
         raise InvalidInput("rollers", rollers, "greater_than_equal", limit=1)
-    relative = relative_stiffness(
-        relative_length=cylinder_length / diameter,
-        relative_width=sphere_width / diameter,
-        relative_sphere=sphere_diameter / diameter,
+    sizes = cylinder_length, sphere_width, sphere_diameter
+    shape = RollerShape(*(size / diameter for size in sizes))
+    relative = shape.relative_stiffness(
         friction_coefficient=friction_coefficient,
         modulus_ratio=shear.modulus_ratio(youngs_modulus),
     )
     stiffness = relative * sphere_width * youngs_modulus
     total = output_torque / hole_circle_radius / 2
     mean_force = total / rollers
-    closing = spacing.gaps(rollers)
-    sharing = share_load(total=total, stiffness=stiffness, gaps=closing)
+    sharing = share_load(total=total, stiffness=stiffness, gaps=spacing.gaps(rollers))
     delta = spacing.relative_error(stiffness=stiffness, mean_force=mean_force)
     arm = cylinder_length + sphere_width / 2 + friction_coefficient * sphere_diameter / 2
     moment = arm * sharing.largest_force
@@ -259,16 +282,10 @@ def roller_strength(
         bending_stress=stress,
         relative_stress=stress / youngs_modulus,
         loaded_rollers=sharing.loaded,
-        length_ratio=cylinder_length / diameter,
-        sphere_ratio=sphere_diameter / diameter,
-        width_ratio=sphere_width / sphere_diameter,
+        shape=shape,
         deflection_ratio=sharing.largest_force / stiffness / cylinder_length,
-        accuracy=Accuracy(
-            method="closed_form_gaps",
-            # roundings of products of positive sums add up, with those of the input
-            relative_error=sharing.relative_error + 16 * ROUNDING,
-            evaluations=1,
-        ),
+        # roundings of products of positive sums add up, with those of the input
+        accuracy=Accuracy("closed_form_gaps", sharing.relative_error + 16 * ROUNDING, 1),
     )
 
 
@@ -289,32 +306,6 @@ def roller_fatigue(
     check_positive(bending_stress=bending_stress)
     least = -bending_stress if rotates else 0.0
     return judge_cycle(strength=strength, largest=bending_stress, least=least)
-
-
-def relative_stiffness(
-    *,
-    relative_length: Number,
-    relative_width: Number,
-    relative_sphere: Number,
-    friction_coefficient: Number,
-    modulus_ratio: Number,
-) -> Number:
-    """Relative stiffness ``c/(b*E)`` of one end of a roller, dimensionless.
-
-    With l, b, D for l/d, b/d, D/d the compliance is the sum of
-    ``64*b*l/pi*((k*D + b)*l/4 + l^2/3 + b*(l + k*D + b)/4)`` and ``4*1.11*b*(E/G)/pi*(l + b/2)``.
-    Source: Ovsyannikov et al. 2019, eq. (10), fig. 4. Lengths are over the diameter, k is the
-    friction coefficient, E/G the ratio of moduli.
-
-    >>> round(relative_stiffness(relative_length=2.0, relative_width=0.8, relative_sphere=1.5,
-    ...                          friction_coefficient=0.16, modulus_ratio=210/78), 9)
-    0.011424309
-    """
-    length, width = relative_length, relative_width
-    end = friction_coefficient * relative_sphere + width
-    bending = end * length / 4 + length * length / 3 + width * (length + end) / 4
-    shear = SHEAR_FACTOR * modulus_ratio * (length + width / 2)
-    return math.pi / (width * (64 * length * bending + 4 * shear))
 
 
 def load_nonuniformity(*, relative_position_error: Number, rollers: int) -> Number:

@@ -86,7 +86,7 @@ def test_curves_go_through_the_design(sharing: dict[str, Any]) -> None:
     design = (without("position_tolerance") if "gaps" in sharing else DESIGN) | sharing
     curves, own = roller_curves(**roller_arguments(**design)), strength(**design)
     assert curves.design == own
-    place = own.length_ratio
+    place = own.shape.length
     assert np.interp(place, curves.length_ratio, curves.relative_stiffness) == pytest.approx(
         own.relative_stiffness, rel=1e-3
     )
@@ -113,7 +113,7 @@ def test_equal_gaps_have_the_curves_of_tolerances() -> None:
     curves = roller_curves(**roller_arguments(**without("position_tolerance"), **gaps))
     assert not curves.scales_gaps
     assert np.interp(
-        curves.design.length_ratio, curves.length_ratio, curves.stress[0.0]
+        curves.design.shape.length, curves.length_ratio, curves.stress[0.0]
     ) == pytest.approx(curves.design.bending_stress, rel=1e-3)
     assert curves.nonuniformity[4][-1] == 4.0
     assert curves.position_error[-1] >= curves.limit == 1.0
@@ -152,6 +152,8 @@ def test_rollers_of_an_array_are_those_one_by_one(seed: int, rollers: int, worst
             got, expected = getattr(together, name), getattr(one, name)
             if name == "accuracy":
                 got, expected = got.relative_error, expected.relative_error
+            if name == "shape":
+                got, expected = got.length, expected.length
             if name == "forces":
                 got = [force[index] for force in got]
                 assert got == pytest.approx(expected, rel=CONVERGED, abs=1e-14 * one.max_force)

@@ -12,18 +12,13 @@ from core.precision import CONVERGED, SAME
 from core.rollers.roller_strength import (
     ByPoissonsRatio,
     PositionTolerance,
+    RollerShape,
     RollerStrength,
     load_nonuniformity,
-    relative_stiffness,
     roller_strength,
 )
 
-FIG_4 = {
-    "relative_width": 0.8,
-    "relative_sphere": 1.5,
-    "friction_coefficient": 0.16,
-    "modulus_ratio": 2.1e11 / 7.8e10,
-}
+FIG_4 = {"friction_coefficient": 0.16, "modulus_ratio": 2.1e11 / 7.8e10}
 E, D, R, T, N, K, MU, K_SIGMA = 210e9, 0.01, 0.03, 0.001 * 210e9 * 0.01**3, 4, 0.16, 0.3, 2.0
 B, SPHERE = 0.8 * D, 1.5 * D
 
@@ -49,9 +44,8 @@ def fig_6(length_ratio: float, tolerance_ratio: float) -> RollerStrength:
     ("length", "stiffness"), [(1.0, 0.048588913), (2.0, 0.011424309), (3.0, 0.0042613394)]
 )
 def test_fig_4(length: float, stiffness: float) -> None:
-    assert relative_stiffness(relative_length=length, **FIG_4) == pytest.approx(
-        stiffness, abs=5e-10
-    )
+    found = RollerShape(length=length, width=0.8, sphere=1.5).relative_stiffness(**FIG_4)
+    assert found == pytest.approx(stiffness, abs=5e-10)
 
 
 def test_fig_5_ends_where_one_roller_carries_everything() -> None:
