@@ -77,48 +77,21 @@ def solve_for(
         raise InvalidInput("high", high, "larger_than", field="low", limit=low)
     if log and not low > 0:
         raise InvalidInput("low", low, "greater_than", limit=0)
-    known: dict[float, float] = {}
-
-    def excess(x: float) -> float:
-        """Amount by which the result is beyond the target; negative where the target is not met."""
-        if x not in known:
-            result = function(x)
-            known[x] = result - target if sense != "at_most" else target - result
-        return known[x]
-
-    if integer:
-        first, last = math.ceil(low), math.floor(high)
-        if first > last:
-            raise InvalidInput("high", high, "larger_than", field="low", limit=low)
-        if last - first >= MOST_WHOLE:
-            raise InvalidInput("high", high, "less_than_equal", limit=first + MOST_WHOLE - 1)
-        places = [float(x) for x in range(first, last + 1)]
-    else:
-        places = _spaced(low, high, samples, log)
-    for place in places:
-        excess(place)
-    values = [known[place] for place in places if not math.isnan(known[place])]
+    search = _Search(function, target, sense, integer)
+    places = _whole(low, high) if integer else _spaced(low, high, samples, log)
+    values = [each for each in map(search.excess, places) if not math.isnan(each)]
     steps = [later - earlier for earlier, later in pairwise(values)]
     monotone = all(step >= 0 for step in steps) or all(step <= 0 for step in steps)
-    if not integer and not monotone:
-        for _ in range(3):
-            places = _finer(places, known, excess)
     if not integer:
-        places = _to_its_ends(places, known, excess, sense == "equals")
-    if sense == "equals":
-        intervals, brackets = _crossings(places, excess, integer)
-    else:
-        intervals, brackets = _stretches(places, excess, integer)
+        for _ in range(0 if monotone else 3):
+            places = search.finer(places)
+        places = search.to_its_ends(places)
+    meeting = search.crossings if sense == "equals" else search.stretches
+    intervals, brackets = meeting(places)
+    evaluations = len(search.known)
     if not intervals:
-        existing = {x: each for x, each in known.items() if not math.isnan(each)}
-        best = None
-        if existing:
-            closest = min(existing, key=lambda x: abs(existing[x]))
-            sign = -1.0 if sense == "at_most" else 1.0
-            best = (closest, target + sign * existing[closest])
-        return Solution("infeasible", None, None, (), best, monotone, len(known))
-    wanted = 0 if want == "smallest" else -1
-    side = 0 if want == "smallest" else 1
+        return Solution("infeasible", None, None, (), search.closest, monotone, evaluations)
+    wanted, side = (0, 0) if want == "smallest" else (-1, 1)
     status: SolveStatus = "several" if len(intervals) > 1 else "solved"
     if intervals == [(places[0], places[-1])]:
         status = "always"
@@ -129,7 +102,7 @@ def solve_for(
         intervals=tuple(intervals),
         best=None,
         monotone=monotone,
-        evaluations=len(known),
+        evaluations=evaluations,
     )
 
 
@@ -194,86 +167,113 @@ def _spaced(low: float, high: float, samples: int, log: bool) -> list[float]:
     return [low, *inner, high]
 
 
-def _finer(
-    places: list[float], known: dict[float, float], excess: Callable[[float], float]
-) -> list[float]:
-    """Places refined where the result comes closest to the target without crossing it."""
-    added: list[float] = []
-    for before, here, after in zip(places, places[1:], places[2:], strict=False):
-        one, two, three = known[before], known[here], known[after]
-        turns = abs(two) <= abs(one) and abs(two) <= abs(three) and not one == two == three
-        if turns and one * three > 0 and one * two >= 0:
-            added += _spaced(before, here, FINER, False)[1:-1]
-            added += _spaced(here, after, FINER, False)[1:-1]
-    for place in added:
-        excess(place)
-    return sorted({*places, *added})
-
-
-def _to_its_ends(
-    places: list[float], known: dict[float, float], excess: Callable[[float], float], equals: bool
-) -> list[float]:
-    """Places refined up to where the result ceases to exist while it approaches the target."""
-
-    def exists(x: float) -> float:
-        return math.nan if math.isnan(excess(x)) else 0.0
-
-    for side in (places, places[::-1]):
-        for before, here, after in zip([math.nan, *side], side, side[1:], strict=False):
-            last, value = known.get(before, math.nan), known[here]
-            unmet = value != 0 if equals else value < 0
-            if unmet and math.isnan(known[after]) and not abs(value) > abs(last):
-                edge(inside=here, outside=after, excess=exists)
-    return sorted(known)
+def _whole(low: float, high: float) -> list[float]:
+    """Whole numbers from low to high; none, or more than `MOST_WHOLE`, are refused."""
+    first, last = math.ceil(low), math.floor(high)
+    if first > last:
+        raise InvalidInput("high", high, "larger_than", field="low", limit=low)
+    if last - first >= MOST_WHOLE:
+        raise InvalidInput("high", high, "less_than_equal", limit=first + MOST_WHOLE - 1)
+    return [float(x) for x in range(first, last + 1)]
 
 
 Intervals = list[tuple[float, float]]
 Brackets = list[tuple[tuple[float, float] | None, tuple[float, float] | None]]
 
 
-def _stretches(
-    places: Sequence[float], excess: Callable[[float], float], integer: bool
-) -> tuple[Intervals, Brackets]:
-    """Stretches where the target is met, and the bracket of each end."""
-    intervals: Intervals = []
-    brackets: Brackets = []
-    left: tuple[float, float] | None
-    right: tuple[float, float] | None
-    for met, stretch in groupby(range(len(places)), key=lambda index: excess(places[index]) >= 0):
-        held = [*stretch]
-        if not met:
-            continue
-        first, last = held[0], held[-1]
-        start, left, end, right = places[first], None, places[last], None
-        if first > 0 and not integer:
-            start, beyond = edge(inside=start, outside=places[first - 1], excess=excess)
-            left = (beyond, start)
-        if last + 1 < len(places) and not integer:
-            end, beyond = edge(inside=end, outside=places[last + 1], excess=excess)
-            right = (end, beyond)
-        intervals.append((start, end))
-        brackets.append((left, right))
-    return intervals, brackets
+class _Search:
+    """Search for places at which a result meets a target."""
 
+    def __init__(
+        self, function: Callable[[float], float], target: float, sense: Sense, integer: bool
+    ) -> None:
+        self.function, self.target = function, target
+        self.equals, self.integer = sense == "equals", integer
+        self.sign = -1.0 if sense == "at_most" else 1.0
+        self.known: dict[float, float] = {}  # excess at each place that was asked for
 
-def _crossings(
-    places: Sequence[float], excess: Callable[[float], float], integer: bool
-) -> tuple[Intervals, Brackets]:
-    """Places where the result equals the target, as intervals of length 0, and their brackets."""
-    intervals: Intervals = []
-    brackets: Brackets = []
-    for index, place in enumerate(places):
-        here = excess(place)
-        if here == 0:
-            intervals.append((place, place))
-            brackets.append((None, None))
-        elif index and not integer:
-            last = places[index - 1]
-            before = excess(last)
-            if before * here < 0:
-                inside, outside = (place, last) if here > 0 else (last, place)
-                met, unmet = edge(inside=inside, outside=outside, excess=excess)
-                ends = (min(met, unmet), max(met, unmet))
-                intervals.append((met, met))
-                brackets.append((ends, ends))
-    return intervals, brackets
+    def excess(self, x: float) -> float:
+        """Amount by which the result is beyond the target; negative where the target is not met."""
+        if x not in self.known:
+            self.known[x] = self.sign * (self.function(x) - self.target)
+        return self.known[x]
+
+    def exists(self, x: float) -> float:
+        """NaN where the result does not exist, otherwise 0."""
+        return math.nan if math.isnan(self.excess(x)) else 0.0
+
+    @property
+    def closest(self) -> tuple[float, float] | None:
+        """Place that comes closest to the target, and its result; None if no result exists."""
+        existing = {x: each for x, each in self.known.items() if not math.isnan(each)}
+        if not existing:
+            return None
+        best = min(existing, key=lambda x: abs(existing[x]))
+        return best, self.target + self.sign * existing[best]
+
+    def finer(self, places: list[float]) -> list[float]:
+        """Places refined where the result comes closest to the target without crossing it."""
+        added: list[float] = []
+        for before, here, after in zip(places, places[1:], places[2:], strict=False):
+            one, two, three = map(self.excess, (before, here, after))
+            turns = abs(two) <= abs(one) and abs(two) <= abs(three) and not one == two == three
+            if turns and one * three > 0 and one * two >= 0:
+                added += _spaced(before, here, FINER, False)[1:-1]
+                added += _spaced(here, after, FINER, False)[1:-1]
+        for place in added:
+            self.excess(place)
+        return sorted({*places, *added})
+
+    def to_its_ends(self, places: list[float]) -> list[float]:
+        """Places refined up to where the result ceases to exist while it nears the target."""
+        for side in (places, places[::-1]):
+            for before, here, after in zip([math.nan, *side], side, side[1:], strict=False):
+                last, value = self.known.get(before, math.nan), self.known[here]
+                unmet = value != 0 if self.equals else value < 0
+                if unmet and math.isnan(self.known[after]) and not abs(value) > abs(last):
+                    edge(inside=here, outside=after, excess=self.exists)
+        return sorted(self.known)
+
+    def stretches(self, places: Sequence[float]) -> tuple[Intervals, Brackets]:
+        """Stretches where the target is met, and the bracket of each end."""
+        intervals: Intervals = []
+        brackets: Brackets = []
+        left: tuple[float, float] | None
+        right: tuple[float, float] | None
+        for met, stretch in groupby(
+            range(len(places)), key=lambda index: self.excess(places[index]) >= 0
+        ):
+            held = [*stretch]
+            if not met:
+                continue
+            first, last = held[0], held[-1]
+            start, left, end, right = places[first], None, places[last], None
+            if first > 0 and not self.integer:
+                start, beyond = edge(inside=start, outside=places[first - 1], excess=self.excess)
+                left = (beyond, start)
+            if last + 1 < len(places) and not self.integer:
+                end, beyond = edge(inside=end, outside=places[last + 1], excess=self.excess)
+                right = (end, beyond)
+            intervals.append((start, end))
+            brackets.append((left, right))
+        return intervals, brackets
+
+    def crossings(self, places: Sequence[float]) -> tuple[Intervals, Brackets]:
+        """Places where the result equals the target, as stretches of length 0, and brackets."""
+        intervals: Intervals = []
+        brackets: Brackets = []
+        for index, place in enumerate(places):
+            here = self.excess(place)
+            if here == 0:
+                intervals.append((place, place))
+                brackets.append((None, None))
+            elif index and not self.integer:
+                last = places[index - 1]
+                before = self.excess(last)
+                if before * here < 0:
+                    inside, outside = (place, last) if here > 0 else (last, place)
+                    met, unmet = edge(inside=inside, outside=outside, excess=self.excess)
+                    ends = (min(met, unmet), max(met, unmet))
+                    intervals.append((met, met))
+                    brackets.append((ends, ends))
+        return intervals, brackets
