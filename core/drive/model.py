@@ -1,5 +1,6 @@
 """Drive as the engine takes it: contacts of one piece or of many, and the bodies that they move."""
 
+import itertools
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -109,44 +110,39 @@ def pieces_of(
     discs = kinds[0].gf.shape[1]
     if lobes and lobes.straddle:
         kinds.append(lobes._replace(kind=engine.FLANK))
-    count = bodies = discs if shares else 1
-    own, along, across = [-1] * discs, [-1] * discs, [-1] * discs
-    turn = [*range(discs)] if shares else [0] * discs
-    if not pins:
-        own = turn
-    elif lobes or springs.mesh:
-        own = [*range(bodies, bodies + discs)]
-        bodies += discs
-    if springs.bearing or journals:
-        along = [*range(bodies, bodies + discs)]
-        bodies += discs
-    if along[0] > 0 and lobes and pins:
-        across = [*range(bodies, bodies + discs)]
-        bodies += discs
-    ring, bodies = bodies, bodies + 3 * bool(springs.bending and springs.bending.end)
+    count = discs if shares else 1
+    numbers = itertools.count(count)
+
+    def bodies_if(moving: object) -> list[int]:
+        """Numbers of further bodies, one for each disc; -1 if the discs do not move so."""
+        return [next(numbers) if moving else -1 for _ in range(discs)]
+
+    none, turn = bodies_if(False), [j if shares else 0 for j in range(discs)]
+    own = bodies_if(lobes or springs.mesh) if pins else turn
+    turned = max(count, own[-1] + 1)  # first body that moves straight
+    along = bodies_if(springs.bearing or journals)
+    across = bodies_if(along[0] >= 0 and lobes and pins)
+    ring = next(numbers)
+    bodies = ring + 3 * bool(springs.bending and springs.bending.end)
     gi: list[list[int]] = []
     contacts = 0
     for each in kinds:
-        turns = turn if each.kind == engine.PIN else [-1] * discs
-        owns = own if each.kind != engine.JOURNAL else [-1] * discs
-        of = len(gi) - discs if each.kind == engine.FLANK else -1
+        turns = turn if each.kind == engine.PIN else none
+        owns = own if each.kind != engine.JOURNAL else none
         for j in range(discs):
             stop = contacts + each.cf.shape[2]
             moves = [turns[j], owns[j], along[j], across[j]]
-            fixed = [each.kind, each.law, contacts, stop, *moves, int(each.exact)]
-            gi.append([*fixed, of + j if of >= 0 else -1])
+            first = len(gi) - discs if each.kind == engine.FLANK else -1
+            gi.append([each.kind, each.law, contacts, stop, *moves, int(each.exact), first])
             contacts = stop
     radius = np.ones(bodies)
-    radius[: bodies if not along[0] > 0 else along[0]] = kinds[-1].gf[0, 0, engine.CIRCLE]
+    radius[:turned] = kinds[-1].gf[0, 0, engine.CIRCLE]
     radius[:count] = kinds[0].gf[0, 0, engine.CIRCLE]
-    radius[ring:] = 1.0
     kgg = np.zeros((bodies, bodies))
-    for j in range(discs):
-        if springs.mesh and not lobes:
-            kgg[own[j], own[j]] = springs.mesh
-        for body in (along[j], across[j]):
-            if body >= 0 and not journals:
-                kgg[body, body] = springs.bearing
+    if springs.mesh and not lobes:
+        kgg[own, own] = springs.mesh
+    if not journals:
+        kgg[range(turned, ring), range(turned, ring)] = springs.bearing
     share = np.zeros(bodies)
     share[:count] = shares or 1.0
     kgg, kbb, kbg = bent_springs(bending=springs.bending, pins=pins, kgg=kgg, ring=ring)

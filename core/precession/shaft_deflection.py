@@ -121,29 +121,19 @@ def shaft_deflection(
             for influence in _influences(sections, bearing_distance, overhang, youngs_modulus)
         ]
 
-    (at_b, error_b), (at_c, error_c), (turn_b, error_tb), (turn_c, error_tc) = deflections(sections)
+    found = deflections(sections)
+    at_b, at_c, turn_b, turn_c = (each for each, _ in found)
     simplified_b, simplified_c = None, None
-    smallest = min(section.diameter for section in sections)
-    if any(section.diameter != smallest for section in sections):
-        (simplified_b, more_b), (simplified_c, more_c), *_ = deflections(
-            [ShaftSection(length, smallest)]
-        )
-        error_b, error_c = max(error_b, more_b), max(error_c, more_c)
+    diameters = {section.diameter for section in sections}
+    if len(diameters) > 1:
+        found += deflections([ShaftSection(length, min(diameters))])[:2]
+        simplified_b, simplified_c = (each for each, _ in found[4:])
     size_b, size_c = math.hypot(*reaction_b), math.hypot(*reaction_c)
     reaction_b_error = moment_error / bearing_distance + 2 * ROUNDING * size_b
     reaction_c_error = force_error + reaction_b_error + ROUNDING * size_c
-    accuracy = Accuracy(
-        method="mohr",
-        relative_error=max(
-            error_b,
-            error_c,
-            error_tb,
-            error_tc,
-            _relative(reaction_b_error, size_b),
-            _relative(reaction_c_error, size_c),
-        ),
-        evaluations=1,
-    )
+    errors = [error for _, error in found]
+    errors += [_relative(reaction_b_error, size_b), _relative(reaction_c_error, size_c)]
+    accuracy = Accuracy("mohr", max(errors), 1)
     return ShaftDeflection(
         reaction_B=reaction_b,
         reaction_C=reaction_c,
@@ -156,8 +146,7 @@ def shaft_deflection(
         simplification_error_B=_simplification_error(simplified_b, at_b),
         simplification_error_C=_simplification_error(simplified_c, at_c),
         accuracy=accuracy,
-        notices=_notices(length, max(section.diameter for section in sections), at_c.total)
-        + poorly_known(accuracy),
+        notices=_notices(length, max(diameters), at_c.total) + poorly_known(accuracy),
     )
 
 
