@@ -203,6 +203,11 @@ def satellite_bearings(
     carried = (loads.most > 0).reshape(-1, count).all(axis=0)
     idle = (np.flatnonzero(~carried) + 1).tolist()
     factor = np.asarray(ring_factor)[..., None]
+    static: Callable[[], FloatArray]
+    static = cache(partial(satellites.largest, most * load.static_torque, centrifugal))
+    if load.made is None and not np.any(centrifugal):  # in proportion to the torque
+        more = np.asarray(load.static_torque / load.output_torque)[..., None]
+        static = partial(np.multiply, more, loads.most)
     found = SatelliteBearings(
         given_speed=relative_speed,
         mesh=mesh,
@@ -212,7 +217,7 @@ def satellite_bearings(
         equivalent_load=factor * loads.mean,
         lesser_load=factor * others.mean,
         peak_ring_force=loads.ring,
-        static_loads=cache(partial(satellites.largest, most * load.static_torque, centrifugal)),
+        static_loads=static,
         kind=kind,
         dynamic_rating=dynamic_rating,
         static_rating=static_rating,
