@@ -54,6 +54,8 @@ ELEMENTS: dict[str, Literal["cylindrical", "needle"]] = {
 }
 """Rolling elements by the first letters of a series; others have balls."""
 
+Rating = Literal["dynamic_rating", "static_rating"]
+
 NEAR = 5
 """Names offered in place of an unknown one."""
 
@@ -184,6 +186,24 @@ def named_bearing(name: str) -> NamedBearing | None:
         if (found := re.fullmatch(pattern, said)) and (own := found.expand(plain)) in BEARINGS:
             return BEARINGS[own]
     return None
+
+
+def exchanges(*, present: NamedBearing, rating: Rating, least: float) -> list[str]:
+    """Names of other bearings with the bore of one and at least a rating, N: those of the same
+    rolling elements first, then in ascending order of their outer diameters and masses.
+
+    >>> exchanges(present=BEARINGS["6205"], rating="dynamic_rating", least=20e3)[:3]
+    ['6305', 'NA4905', 'NA4905-XL']
+    """
+    others = [
+        each
+        for each in BEARINGS.values()
+        if (each.bore_diameter, each.inner_ring) == (present.bore_diameter, present.inner_ring)
+        and each.name != present.name
+        and getattr(each, rating) >= least
+    ]
+    others.sort(key=lambda one: (one.elements != present.elements, one.outer_diameter, one.mass))
+    return [each.name for each in others]
 
 
 def names_like(name: str) -> list[str]:

@@ -322,7 +322,7 @@ def usual_values(body: Any, verdict: Verdict) -> dict[tuple[str, ...], float | s
     decided = [each for each in verdict.checks if each.status in ("pass", "marginal", "fail")]
     for check, name in ((each, name) for each in decided for name in each.kind.inputs):
         path = body.path_of(name)
-        parent = _value(body, path[:-1])
+        parent = value_in(body, path[:-1])
         if not path or parent is None or path[-1] in parent.model_fields_set:
             continue
         if name in IDEAL_ALONE and body.design.as_made:
@@ -369,7 +369,8 @@ def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
     return _kind_values(check.code) | present(values)
 
 
-def _value(body: Any, path: tuple[str | int, ...]) -> Any:
+def value_in(body: Any, path: tuple[str | int, ...]) -> Any:
+    """Value at a path of a request; None if a part on the way is not given."""
     for part in path:
         if body is None:
             break
@@ -377,12 +378,12 @@ def _value(body: Any, path: tuple[str | int, ...]) -> Any:
     return body
 
 
-SETS = {
-    "crankshaft.bearings.dynamic_rating": tuple(
-        f"crankshaft.bearings[{index}].dynamic_rating" for index in (0, 1)
-    )
-}
-"""Values that fixes of several fields set."""
+def places_of(variable: str, body: RequestModel) -> list[tuple[str | int, ...]]:
+    """Paths of the fields that a fix of an input sets: those of both bearings of the crankshaft."""
+    section, name = variable.rsplit(".", 1)
+    both = section == "crankshaft.bearings"
+    names = [f"{section}[{index}].{name}" for index in (0, 1)] if both else [variable]
+    return [path for each in names if (path := body.path_of(each))]
 
 
 def _typed(body: RequestModel) -> dict[str, tuple[str | int, ...]]:
@@ -403,17 +404,14 @@ def _short(value: float) -> float:
 
 def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Values]:
     """Place of a fix of a size in a request, and all values that the fix sets there."""
-    paths = [
-        path for each in SETS.get(fix.variable, (fix.variable,)) if (path := body.path_of(each))
-    ]
-    path = paths[0]
+    path, *_ = paths = places_of(fix.variable, body)
     typed = _typed(body)
     name = str(path[-1])
     before, to, exact = (from_si(name, each) for each in (fix.before, fix.after, fix.exact))
     if fix.variable == "load.output_torque" and fix.variable not in typed:  # input torque is given
         name = "input_torque_Nm"
         given_path = (*path[:-1], name)
-        path, paths, given = given_path, [given_path], _value(body, given_path)
+        path, paths, given = given_path, [given_path], value_in(body, given_path)
         to, exact = (given * each / before for each in (to, exact))
         before = given
         digit = 10.0 ** (math.floor(math.log10(to)) - 2)
@@ -423,14 +421,14 @@ def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Value
     sets = {pointer(each): to for each in paths}
     match fix.variable, typed:
         case "contact.pin_radius" | "contact.eccentricity", {"contact.hole_radius": hole}:
-            sets[pointer(hole)] = _short(_value(body, hole) + to - before)
+            sets[pointer(hole)] = _short(value_in(body, hole) + to - before)
         case "contact.hole_radius", {"contact.hole_clearance": clearance}:
-            sets[pointer(clearance)] = _short(_value(body, clearance) + to - before)
+            sets[pointer(clearance)] = _short(value_in(body, clearance) + to - before)
             if fix.variable not in typed:  # the hole follows the clearance
                 del sets[pointer(path)]
     if fix.variable == "contact.pin_radius" and "pin.diameter" in typed:
         pin = typed["pin.diameter"]
-        if math.isclose(float(_value(body, pin)), 2 * before, rel_tol=1e-12):  # without a sleeve
+        if math.isclose(float(value_in(body, pin)), 2 * before, rel_tol=1e-12):  # without a sleeve
             sets[pointer(pin)] = 2 * to
     for name, value in fix.beside.items():
         place = body.path_of(name)  # fields of one section
@@ -440,14 +438,14 @@ def _of_size(fix: Fix, body: RequestModel) -> tuple[tuple[str | int, ...], Value
 
 def fix_values(fix: Fix, body: RequestModel) -> Values:
     """Values of a fix, with all fields that it sets in a request."""
-    path: tuple[str | int, ...]
     if isinstance(fix.after, str):
-        path = tuple(fix.variable.split("."))
-        changed: Values = {"from": fix.before, "to": fix.after, "sets": {pointer(path): fix.after}}
+        path, *_ = paths = places_of(fix.variable, body)
+        sets = {pointer(each): fix.after for each in paths}
+        changed: Values = {"from": fix.before, "to": fix.after, "sets": sets}
     else:
         path, changed = _of_size(fix, body)
     name = str(path[-1])
-    parent: Any = _value(body, path[:-1])
+    parent: Any = value_in(body, path[:-1])
     values: Values = {
         "code": fix.code,
         "pointer": pointer(path),

@@ -11,6 +11,7 @@ from app.calculations.reducer_fixes import fixes_of, reposted
 from app.model import ResponseModel, Values
 from core.checks.check import Outcome, Verdict
 from core.checks.reserve import crank_verdict
+from core.fixes.crank import NAMED
 from core.fixes.fix import Fix
 
 MOST = 4
@@ -24,6 +25,7 @@ CHEAP = (
     "contact.pin_material",
     "contact.hole_material",
     "contact.hole_radius",
+    *NAMED,
     "bearing.dynamic_rating",
     "bearing.static_rating",
     "rollers.dynamic_rating",

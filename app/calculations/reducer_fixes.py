@@ -1,22 +1,28 @@
-"""Fixes of a reducer: other sizes, and other materials and fits by name."""
+"""Fixes of a reducer: other sizes, and other materials, fits and bearings by name."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from pydantic import ValidationError
 
+from app.calculations.checks import places_of, value_in
+from app.model import pointer
 from app.pointers import with_values
+from core.bearings import Rating, exchanges, named_bearing
 from core.checks.check import Check, Verdict
 from core.checks.reserve import crank_verdict
 from core.errors import CalculationError
-from core.fixes.crank import CHOICES, aimed, crank_fixes
-from core.fixes.fix import Fix, beyond, in_order, side_effects
+from core.fixes.crank import CHOICES, NAMED, aimed, crank_fixes, possible
+from core.fixes.fix import Fix, aim, beyond, in_order, side_effects
 from core.material_table import MATERIALS
 from core.materials import PLASTICS
 from core.tolerance.iso286 import fit_clearance
 
 FITS = ("H6/h5", "H6/g5", "H7/h6", "H7/g6", "H7/f7", "H8/f7", "H8/f8", "H9/f9")
 """Usual fits of ISO 286 with clearance."""
+
+RATED: dict[str, Rating] = {"life": "dynamic_rating", "static": "static_rating"}
+"""Load rating that decides a check of a bearing, by the end of its code."""
 
 
 def fixes_of(request: Any, codes: list[str], current: Verdict) -> list[Fix]:
@@ -38,15 +44,17 @@ def reposted(request: Any, sets: dict[str, Any]) -> Any:
 
 
 def _chosen(request: Any, check: Check, variable: str, current: Verdict) -> Fix | None:
-    """First other name of an input that cures a check: the weakest material or the nearest fit."""
-    section, name = variable.split(".")
-    before = getattr(request.contact, name, None)
-    if not isinstance(before, str):  # given by values, or not at all
+    """First other name of an input that cures a check: the weakest material, the nearest fit, the
+    smallest bearing.
+    """
+    places = places_of(variable, request)
+    named = {value for each in places if isinstance(value := value_in(request, each), str)}
+    if len(named) != 1:  # given by values, or not at all, or two different bearings
         return None
-    others = _fits(request, before) if name == "fit" else _materials(before)
-    for after in others:
+    (before,) = named
+    for after in _others(request, check, variable, before):
         try:
-            other = reposted(request, {f"/{section}/{name}": after})
+            other = reposted(request, {pointer(each): after for each in places})
         except ValidationError:  # another field states the present material of the discs too
             continue
         try:
@@ -55,11 +63,26 @@ def _chosen(request: Any, check: Check, variable: str, current: Verdict) -> Fix 
             found = crank_verdict(other.results)
         except CalculationError:  # another class makes no design of it
             continue
-        if found[check.code].status == "pass":
-            effects = side_effects(code=check.code, current=current, found=found)
-            outcome = found.verdict
-            return Fix(check.code, variable, before, after, None, False, "solved", outcome, effects)
+        effects = side_effects(code=check.code, current=current, found=found)
+        outcome = found.verdict
+        fix = Fix(check.code, variable, before, after, None, False, "solved", outcome, effects)
+        if found[check.code].status == "pass" and possible(fix):
+            return fix
     return None
+
+
+def _others(request: Any, check: Check, variable: str, before: str) -> Iterable[str]:
+    """Other names of an input that may cure a check, the nearest first."""
+    if variable == "contact.fit":
+        return _fits(request, before)
+    if variable not in NAMED:
+        return _materials(before)
+    present = named_bearing(before)
+    if present is None or not check.by_torque:
+        return ()
+    rating = RATED[check.code.rpartition("_")[2]]
+    least = getattr(present, rating) * aim(check) / check.reserve
+    return exchanges(present=present, rating=rating, least=least)
 
 
 def _materials(before: str) -> Iterator[str]:

@@ -210,7 +210,7 @@ def _least_bore(design: Design) -> float:
         of.LIFE,
         "bearing.ring_factor bearing.dynamic_rating bearing.reliability_percent",
     ),
-    fixes=("bearing.dynamic_rating", _PLACES),
+    fixes=("bearing.name bearing.dynamic_rating", _PLACES),
 )
 def bearing_life(kind: Kind, design: Design, results: Results) -> Check:
     found, limit = results.crank.bearings, design.life
@@ -230,7 +230,10 @@ def bearing_life(kind: Kind, design: Design, results: Results) -> Check:
         of.ON_STRESSES,
         "load.peak_torque load.peak_kind bearing.static_rating requirements.static_safety",
     ),
-    fixes="bearing.static_rating load.pin_circle_radius load.output_torque load.peak_torque",
+    fixes=(
+        "bearing.name bearing.static_rating load.pin_circle_radius",
+        "load.output_torque load.peak_torque",
+    ),
     source="iso_76_rating",
     known=lambda design, results: {"limit": _static_safety(design, design.bearing.kind)},
 )
@@ -276,7 +279,7 @@ def system_life(kind: Kind, design: Design, results: Results) -> Check:
         "crankshaft.satellite_mass crankshaft.bearings crankshaft.satellite_positions",
         "crankshaft.bearing_positions crankshaft.counterweights",
     ),
-    fixes=("crankshaft.bearings.dynamic_rating", _PLACES),
+    fixes=("crankshaft.bearings.name crankshaft.bearings.dynamic_rating", _PLACES),
 )
 def crank_bearing_life(kind: Kind, design: Design, results: Results) -> Check:
     limit, bearings = design.life, design.crankshaft.known_bearings
@@ -451,7 +454,7 @@ _PEAK = (of.LOADED, "load.peak_torque")
     "life",
     formula="L_10h ≥ L",
     inputs=(of.FORCES, of.LIFE, _MADE, "rollers.dynamic_rating"),
-    fixes=("rollers.dynamic_rating load.input_speed", _LESS),
+    fixes=("rollers.name rollers.dynamic_rating load.input_speed", _LESS),
     source="roller_rating",
     requires={"rollers.dynamic_rating": "rating_unknown"},
 )
@@ -475,7 +478,7 @@ def _elements(design: Design) -> Bearing:
         _MADE,
         "load.peak_kind rollers.static_rating requirements.static_safety",
     ),
-    fixes=("rollers.static_rating", _LESS, "load.peak_torque"),
+    fixes=("rollers.name rollers.static_rating", _LESS, "load.peak_torque"),
     source="roller_rating",
     known=lambda design, results: {"limit": _static_safety(design, _elements(design))},
     requires={"rollers.static_rating": "rating_unknown"},

@@ -35,7 +35,10 @@ from core.precision import SEARCHED
 LOOKS, NUDGE = 9, 0.02
 """Largest number of steps of a secant search, and relative size of its first step."""
 
-CHOICES = ("contact.pin_material", "contact.hole_material", "contact.fit")
+NAMED = ("bearing.name", "rollers.name", "crankshaft.bearings.name")
+"""Inputs that name a bearing."""
+
+CHOICES = ("contact.pin_material", "contact.hole_material", "contact.fit", *NAMED)
 """Inputs chosen by name, whose fixes are found where names are known."""
 
 SHIFTED = ("gear.modification.equidistant", "gear.modification.pin_circle")

@@ -213,3 +213,43 @@ async def test_what_cures_the_teeth_of_a_ring_does_so(api: Any, name: str) -> No
     assert cures <= {each["pointer"] for each in solved}
     for fix in answer["fixes"]:
         await api.reposted(PATH, body, fix)
+
+
+@pytest.mark.parametrize(
+    ("sets", "pointers", "other"),
+    [
+        ({"/bearing": {"name": "NU206"}}, ["/bearing/name"], "NU306E"),
+        (
+            {"/crankshaft/bearings": [{"name": "6204"}] * 2},
+            ["/crankshaft/bearings/0/name", "/crankshaft/bearings/1/name"],
+            "6304",
+        ),
+    ],
+)
+async def test_a_named_bearing_is_exchanged_for_one_of_its_bore(
+    api: Any, sets: dict[str, Any], pointers: list[str], other: str
+) -> None:
+    """The next larger bearing of the table is offered; all between it and the present one fail."""
+    whole = next(each["input"] for each in EXAMPLES if each["id"] == "whole")
+    scope = ["satellite_bearing", "crank_bearings"]
+    loads = {"/load/output_torque_Nm": 300.0, "/requirements": {"life_h": 12000.0, "scope": scope}}
+    body = applied(whole, sets | loads) | {"include": ["checks", "fixes"]}
+    answer = await api.answer(PATH, body)
+    (fix,) = [each for each in answer["fixes"] if [*each["sets"]] == pointers]
+    assert (fix["to"], fix["unit"], fix["status"]) == (other, "", "solved")
+    await api.reposted(PATH, body, fix)
+    table = {each["name"]: each for each in (await api.get("bearings")).json()["bearings"]}
+    assert table[other]["bore_diameter_mm"] == table[fix["from"]]["bore_diameter_mm"]
+    assert table[other]["elements"] == table[fix["from"]]["elements"]
+    between = [
+        name
+        for name, each in table.items()
+        if each["bore_diameter_mm"] == table[other]["bore_diameter_mm"]
+        and each["elements"] == table[other]["elements"]
+        and each["dynamic_rating_N"] < table[other]["dynamic_rating_N"]
+    ]
+    assert fix["from"] in between
+    for name in between:
+        less = applied(body, dict.fromkeys(pointers, name)) | {"include": ["checks"]}
+        checks = {each["code"]: each for each in (await api.answer(PATH, less))["checks"]}
+        assert checks[fix["code"]]["status"] != "pass", name
