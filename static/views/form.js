@@ -80,6 +80,9 @@ function createChoice({ id, title, options }, { on }) {
   };
 }
 
+/** The series of a bearing of the table, by its name; nothing for another word. */
+const seriesOf = (name) => name.match(/^(?:R?NA\d\d|N[UJ]\d|HK|MR|6\d)(?=[\d/])/)?.[0];
+
 /**
  * `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`,
  * `on.apply()`, `on.lengths(option)`, `on.size(path)`, `on.switched(group, on)`, `on.asked(path)`.
@@ -238,7 +241,7 @@ export function createForm({ model, calculator, catalogues, lengths, on }) {
       }
       const reading = missing.includes(path) ? {} : readings[path];
       if (view.root.closest("details") && texts[path] !== textIn(field, field.default)) view.root.closest("details").open = true;
-      const names = namesOf(field) ?? field.options?.map((name) => ({ name, title: name === "" ? "–" : message("option")[name] }));
+      const names = namesOf(field) ?? field.options?.map((name) => ({ name, title: name === "" ? "–" : message("option")[name], group_code: seriesOf(name) }));
       if (names) view.setNames?.(names, texts[path]);
       view.setText(field.kind === "switch" && !wants(state, field.wanted) ? "" : texts[path]);
       view.setRows?.(field.rows(filled));
