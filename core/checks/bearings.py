@@ -28,7 +28,7 @@ from core.crank.envelope import (
 )
 from core.design.document import Design
 from core.design.results import Results
-from core.design.sections import CatalogueBearing, RollingBearing
+from core.design.sections import CatalogueBearing
 from core.errors import Accuracy, NotKnown, required
 
 PRESSED = 1e-4
@@ -76,7 +76,8 @@ CRANKSHAFT = Element(
     "crank_bearings",
     "touching load crankshaft",
     codes=(
-        "life=crank_bearing_life ratings=crank_bearing_rating room=crank_bearing_fits",
+        "life=crank_bearing_life static=crank_bearing_static ratings=crank_bearing_rating",
+        "room=crank_bearing_fits",
         "speed=crank_bearing_speed",
     ),
     sorts=_SORTS,
@@ -122,11 +123,9 @@ def _static_safety(design: Design, elements: Bearing) -> float:
     return asked or usual
 
 
-def _safe(kind: Kind, results: Results, value: float, **more: Any) -> Check:
-    """Check of a static safety."""
-    asked = results.design.requirements.static_safety
-    limit = kind.known(results.design, results)["limit"]
-    source = "" if asked else "static_guide"
+def _safe(kind: Kind, results: Results, value: float, *, limit: float, **more: Any) -> Check:
+    """Check of a static safety against a limit, requested or usual."""
+    source = "" if results.design.requirements.static_safety else "static_guide"
     return kind.judged(value, limit, reserve=value / limit, limit_source=source, **more)
 
 
@@ -151,8 +150,7 @@ def _fitting(kind: Kind, room: float, *, wide: bool) -> Check:
 
 def _possible(kind: Kind, bearing: CatalogueBearing, bounds: Bounds, **more: Any) -> Check:
     """Check of the larger rating over the largest that such a bearing can have."""
-    static = bearing.static_rating if isinstance(bearing, RollingBearing) else None
-    given = ((bearing.dynamic_rating, bounds.dynamic), (static, bounds.static))
+    given = ((bearing.dynamic_rating, bounds.dynamic), (bearing.static_rating, bounds.static))
     shares = [rating / bound for rating, bound in given if rating is not None]
     if not shares:
         raise NotKnown("rating_unknown", "bearing.dynamic_rating")
@@ -245,6 +243,7 @@ def bearing_static(kind: Kind, design: Design, results: Results) -> Check:
         kind,
         results,
         float(safety[worst]),
+        limit=_static_safety(design, design.bearing.kind),
         error=4 * float(found.accuracy.relative_error),
         solved=results.crank.uneven_growth,
         at={"satellite": worst + 1},
@@ -295,6 +294,38 @@ def crank_bearing_life(kind: Kind, design: Design, results: Results) -> Check:
     if all(math.isinf(life) for life, _, _ in lives):
         return Check(kind, "not_applicable", limit=limit, reason="unloaded")
     return _lasting(kind, limit, lives, found.accuracy, solved=results.crank.uneven_growth)
+
+
+@CRANKSHAFT.check(
+    "static",
+    formula="C₀/R_max ≥ S_0",
+    inputs=(
+        tuple(name for name in crank_bearing_life.inputs if name not in of.LIFE),
+        of.ON_STRESSES,
+        "load.input_speed load.peak_torque load.peak_kind requirements.static_safety",
+    ),
+    fixes="crankshaft.bearings.name load.pin_circle_radius load.output_torque load.peak_torque",
+    source="iso_76_rating",
+    needed=False,
+)
+def crank_bearing_static(kind: Kind, design: Design, results: Results) -> Check:
+    bearings, path = design.crankshaft.known_bearings, "crankshaft.bearings"
+    ratings = [required(each.static_rating, "rating_unknown", path) for each in bearings]
+    limits = [_static_safety(design, each.kind) for each in bearings]
+    found = results.crank.static_reactions
+    carried = np.where(found > 0, np.array(ratings) / np.where(found > 0, found, 1.0), math.inf)
+    worst = int(np.argmin(carried / limits))
+    if math.isinf(carried[worst]):
+        return Check(kind, "not_applicable", limit=limits[worst], reason="unloaded")
+    return _safe(
+        kind,
+        results,
+        float(carried[worst]),
+        limit=limits[worst],
+        error=4 * float(results.crank.shaft.accuracy.relative_error),
+        solved=results.crank.uneven_growth,
+        at={"bearing": worst + 1},
+    )
 
 
 @SATELLITE.check(
@@ -486,7 +517,9 @@ def _elements(design: Design) -> Bearing:
 def pin_roller_static(kind: Kind, design: Design, results: Results) -> Check:
     found = results.roller_loads
     error = 4 * found.accuracy.relative_error
-    return _safe(kind, results, found.static_safety_factor, error=error, solved=results.solved)
+    limit = _static_safety(design, _elements(design))
+    value = found.static_safety_factor
+    return _safe(kind, results, value, limit=limit, error=error, solved=results.solved)
 
 
 @ROLLERS.check(
@@ -583,7 +616,7 @@ def pin_roller_tilt(kind: Kind, design: Design, results: Results) -> Check:
     )
 
 
-LIVES = (bearing_life, bearing_static, system_life, crank_bearing_life)
+LIVES = (bearing_life, bearing_static, system_life, crank_bearing_life, crank_bearing_static)
 OF_SATELLITES = (bearing_rating, bearing_fits, bearing_speed, bearing_min_load, bearing_overload)
 OF_CRANKSHAFT = (crank_bearing_rating, crank_bearing_fits, crank_bearing_speed)
 LOADS = (pin_roller_life, pin_roller_static, pin_roller_max_load, pin_roller_min_load)

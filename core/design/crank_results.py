@@ -1,7 +1,11 @@
 """Results about bearings of the satellites, and reactions and balance of the crankshaft."""
 
+from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
+from core.arrays import FloatArray
 from core.crank.balance import Balance, balance
 from core.crank.crankshaft import Crankshaft, crankshaft
 from core.crank.satellite_bearing import SatelliteBearings, satellite_bearings
@@ -9,6 +13,7 @@ from core.design.output_forces import OutputForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.errors import NotKnown, derived, if_known
+from core.output.pin_circle_load import PinCircleLoad
 from core.output.room import Deviations
 
 MOST_BEARING_PAIRS = 2000
@@ -58,14 +63,26 @@ class CrankResults:
     @derived
     def shaft(self) -> Crankshaft:
         """Reactions and balance of the crankshaft, for at most `MOST_BEARING_PAIRS` pairs."""
-        return self._shaft(if_known(lambda: self._balance))
+        return self._shaft(if_known(lambda: self._balance), self.output.pin_load)
 
     @derived
     def still_shaft(self) -> Crankshaft:
         """Reactions of the crankshaft without centrifugal forces of the satellites."""
-        return self._shaft(None)
+        return self._shaft(None, self.output.pin_load)
 
-    def _shaft(self, balance: Balance | None) -> Crankshaft:
+    @derived
+    def static_reactions(self) -> FloatArray:
+        """Largest reaction of each bearing of the crankshaft under the peak torque, turning and at
+        rest, N, shape (2,).
+        """
+        load = self.output.pin_load
+        turning, still = self.shaft, self.still_shaft
+        if load.static_torque != load.output_torque:
+            peak = replace(load, output_torque=load.static_torque)
+            turning, still = self._shaft(turning.balance, peak), self._shaft(None, peak)
+        return np.maximum(turning.peak_reaction, still.peak_reaction)
+
+    def _shaft(self, balance: Balance | None, load: PinCircleLoad[Any]) -> Crankshaft:
         design, own = self.design, self.design.crankshaft
         if not own:
             raise NotKnown("section_missing", "crankshaft")
@@ -82,7 +99,7 @@ class CrankResults:
             design,
             "crankshaft",
             lambda: crankshaft(
-                load=self.output.pin_load,
+                load=load,
                 eccentricity=design.known_eccentricity,
                 mesh=mesh,
                 distribution_factor=design.disc_factor,

@@ -604,6 +604,8 @@ class CatalogueBearing:
     10/3 for rollers."""
     dynamic_rating: float | None = optional_size("Dynamic load rating", "C", "N", step=100)
     """Basic dynamic load rating; without it the life is not calculated."""
+    static_rating: float | None = optional_size("Static load rating", "C₀", "N", step=100)
+    """Basic static load rating, for the static safety."""
     bore_diameter: float | None = optional_size("Bore", "d", "mm", step=1)
     """Bore diameter of the bearing; bore, outer diameter and width together show if such a bearing
     exists."""
@@ -633,8 +635,6 @@ class CatalogueBearing:
 class RollingBearing(CatalogueBearing):
     """Bearing of a satellite on its crank."""
 
-    static_rating: float | None = optional_size("Static load rating", "C₀", "N", step=100)
-    """Basic static load rating, for the static safety."""
     reliability_percent: float = quantity("Reliability", default=90.0, ge=90, le=99)
     """Share of bearings that reach the life: 90, 95, 96, 97, 98 or 99 %."""
     ring_factor: float = quantity("Factor of the rings", "V", default=1.0, step=0.1, ge=0.1, le=10)

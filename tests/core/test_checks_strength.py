@@ -332,6 +332,34 @@ def test_bearings_that_nothing_presses() -> None:
     says(found, status="not_applicable", limit=5000 * 3600, reason="unloaded")
 
 
+def test_the_static_load_of_crank_bearings() -> None:
+    """4487.098 N on each bearing under 500 N*m; the worse of a weak ball and a strong roller."""
+    bearings = (
+        SeatedBearing(kind="ball", static_rating=13e3),
+        SeatedBearing(kind="roller", static_rating=16e3),
+    )
+    shaft = Shaft(
+        satellite_positions=(0.020, 0.042), bearing_positions=(0.0, 0.062), bearings=bearings
+    )
+    found = check_of("crank_bearing_static", light(crankshaft=shaft))
+    assert (found.status, found.limit, found.at) == ("pass", 1.5, {"bearing": 2})
+    assert found.limit_source == "static_guide"
+    assert found.value == pytest.approx(16e3 / 4487.098, rel=1e-6)
+    stopped = light(crankshaft=shaft, peak_torque=1500.0, peak_kind="emergency")
+    found = check_of("crank_bearing_static", stopped)
+    assert (found.status, found.limit, found.at) == ("fail", 1.0, {"bearing": 1})
+    assert found.value == pytest.approx(13e3 / (3 * 4487.098), rel=1e-6)
+    assert found.torque_reserve == pytest.approx(found.value, rel=1e-9)
+    unknown = replace(shaft, bearings=(bearings[0], SeatedBearing(kind="ball")))
+    found = check_of("crank_bearing_static", light(crankshaft=unknown))
+    says(found, status="not_checked", reason="rating_unknown", missing=("crankshaft.bearings",))
+    for mass, rests in ((100.0, True), (1000.0, False)):  # which the shaft may do without its pull
+        heavy = replace(shaft, satellite_mass=mass)
+        spun = check_of("crank_bearing_static", light(crankshaft=heavy)).value
+        assert (spun == pytest.approx(16e3 / 4487.098, rel=1e-6)) == rests
+        assert rests or spun < 1.5
+
+
 def test_strengths_of_thinner_pins_only_fail() -> None:
     """A pin of 16 mm of a material whose strengths hold up to a diameter."""
     for valid, strength in ((0.016, "pass"), (0.0159, "not_checked")):

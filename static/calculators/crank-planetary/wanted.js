@@ -169,6 +169,7 @@ const shaftBearing = (index, letter) => ({
   [`crankshaft.bearings.${index}.name`]: { words: [`name_${letter}`, "crank"] },
   [`crankshaft.bearings.${index}.kind`]: { default: "ball", when: [`crankshaft.bearings.${index}.name`, undefined, ""], words: [`kind_${letter}`, "crank"] },
   [`crankshaft.bearings.${index}.dynamic_rating_N`]: { words: [`rating_${letter}`, "crank"] },
+  [`crankshaft.bearings.${index}.static_rating_N`]: { ...rare, words: [`static_rating_${letter}`, "crank"] },
   ...Object.fromEntries(["bore_diameter_mm", "outer_diameter_mm", "width_mm"].map((name) =>
     [`crankshaft.bearings.${index}.${name}`, { ...rare, words: [`${name}_${letter}`, "crank"] }])),
 });
