@@ -289,13 +289,35 @@ def model_of(kind: type, group: str | None) -> type[SectionFields]:
     for each in _models(SectionFields):
         if vars(each).get("DOCUMENT") is kind:
             return each
+    return _made(kind.__name__, kind, group)
+
+
+def _made(name: str, kind: Any, group: str | None) -> type[SectionFields]:
+    """Model of the fields of a dataclass, or of those of several kinds."""
     own = {"__module__": __name__, "__doc__": kind.__doc__}
-    made = {"of": kind, "group": group}
-    name = f"{kind.__name__}Fields"
-    return new_class(name, (SectionFields,), made, lambda body: body.update(own))
+    config = {"of": kind, "group": group, "use_attribute_docstrings": False}  # there is no source
+    return new_class(f"{name}Fields", (SectionFields,), config, lambda body: body.update(own))
 
 
 def _models(model: type[SectionFields]) -> Iterator[type[SectionFields]]:
     for each in model.__subclasses__():
         yield each
         yield from _models(each)
+
+
+class SectionedFields(RequestModel):
+    """Document that has sections.
+
+    A subclass names the dataclasses of its sections, or those of several kinds, by section. It has
+    an optional field for each, whose model has the fields of the dataclass, and whose group in the
+    form has the name of the section. A section that the subclass annotates has the model that
+    stands there.
+    """
+
+    def __init_subclass__(cls, *, sections: Mapping[str, Any] | None = None, **config: Any) -> None:
+        own, fields = cls.__annotations__, dict[str, Any]()
+        for name, kind in (sections or {}).items():
+            model = name.title().replace("_", "")
+            fields[name] = own[name] if name in own else OPTIONAL[_made(model, kind, name)]
+        cls.__annotations__ = fields | own
+        super().__init_subclass__(**config)

@@ -156,13 +156,21 @@ def quantities_of(kind: Any) -> Collection[Quantity]:
 
 
 class Variants(dict[Any, Any]):
-    """Dataclasses of a section by its kind, where None stands for none, with the field `kind`."""
+    """Dataclasses of a section by its kind, where None stands for none, with the field `kind`; the
+    text `about` stands for a docstring.
+    """
 
     def __init__(
-        self, kinds: Mapping[Any, Any], *, title: str, help: str, default: str | None = None
+        self,
+        kinds: Mapping[Any, Any],
+        *,
+        title: str,
+        help: str,
+        default: str | None = None,
+        about: str = "",
     ) -> None:
         super().__init__(kinds)
-        self.title, self.help, self.default = title, help, default
+        self.title, self.help, self.default, self.__doc__ = title, help, default, about
 
 
 def help_of(kind: type) -> dict[str, str]:

@@ -236,7 +236,8 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
     def notices(self) -> tuple[Notice, ...]:
         """Notices, also of unknown deviations of a ring whose mesh is judged."""
         found = super().notices()
-        listed = self.deviations and self.deviations.made.of_ring
+        deviations = self.given.get("deviations")
+        listed = deviations and deviations.made.of_ring
         if self.says("gear/modification") and not listed:
             found += (Notice("ring_deviations_unknown"),)
         return found

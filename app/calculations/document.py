@@ -12,32 +12,21 @@ from typing import Any, ClassVar, Literal, Self, TypeVar, cast
 from pydantic import Field, model_validator
 
 from app.calculations.checks import ScopedRequirementsFields
-from app.calculations.contact_law import ContactLawFields
 from app.calculations.fatigue import PinFatigueFields
 from app.calculations.ideal_forces import CyclogramFields, force_of_one
 from app.calculations.mechanism import PinContactFields
 from app.calculations.pin import PinFields
 from app.calculations.ring import RingFields
-from app.calculations.sections import (
-    BearingFields,
-    CrankshaftFields,
-    CrankSupportFields,
-    DesignLoadFields,
-    DeviationsFields,
-    FrictionFields,
-    RollersFields,
-    SatelliteBodyFields,
-    SatelliteCouplingFields,
-    TemperaturesFields,
-)
+from app.calculations.sections import DesignLoadFields
 from app.calculations.tolerances import TolerancesFields
+from app.fields import SectionedFields
 from app.model import Maybe, RequestModel, Values, notices_of, result
 from app.rules import field_error
 from app.settings import Settings
 from core.arrays import FloatArray
-from core.design.document import Design
+from core.design.document import KINDS, Design
 from core.design.results import Results
-from core.design.stated import KINDS, design_of
+from core.design.stated import design_of
 from core.errors import CalculationError, Notice, if_known, is_known, within
 from core.output.contact_force import drawing_angles
 from core.output.mechanism import Members
@@ -84,7 +73,7 @@ PIN_SECTIONS = ("contact_law", "deviations", "pin", "crank_support", "satellite_
 ForcesUsed = Literal["ideal", "real"]
 
 
-class DocumentFields(RequestModel):
+class DocumentFields(SectionedFields, sections=KINDS):
     """Crank-planetary reducer, as far as it is given.
 
     One document serves all calculations of a drive: each names the fields that it needs, and
@@ -105,19 +94,9 @@ class DocumentFields(RequestModel):
     mechanism: CyclogramFields
     load: Maybe[DesignLoadFields] = None
     contact: Maybe[PinContactFields] = None
-    contact_law: Maybe[ContactLawFields] = None
-    deviations: Maybe[DeviationsFields] = None
-    crank_support: Maybe[CrankSupportFields] = None
-    satellite_coupling: Maybe[SatelliteCouplingFields] = None
     pin: Maybe[PinFields] = None
     fatigue: Maybe[PinFatigueFields] = None
-    friction: Maybe[FrictionFields] = None
-    rollers: Maybe[RollersFields] = None
     gear: Maybe[RingFields] = None
-    bearing: Maybe[BearingFields] = None
-    crankshaft: Maybe[CrankshaftFields] = None
-    satellite_body: Maybe[SatelliteBodyFields] = None
-    temperatures: Maybe[TemperaturesFields] = None
     tolerances: Maybe[TolerancesFields] = None
     requirements: ScopedRequirementsFields = Field(default_factory=ScopedRequirementsFields)
 

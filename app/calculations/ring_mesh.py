@@ -166,7 +166,7 @@ class RingMeshRequest(SolvedFields, group="positions"):
     @property
     def used(self) -> frozenset[str]:
         """Sections of the design; of the coupling only given shares of the torque."""
-        shared = self.satellite_coupling and self.satellite_coupling.shares
+        shared = self.says("satellite_coupling/shares")
         return self.uses if shared else self.uses - {"satellite_coupling"}
 
     @cached_property

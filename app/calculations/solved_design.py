@@ -58,7 +58,7 @@ class SolvedFields(DocumentFields):
     @property
     def asks_for_discs(self) -> bool:
         """True if cycloid discs in their ring are asked for: by both meshes in series."""
-        coupling = self.satellite_coupling
+        coupling = self.given.get("satellite_coupling")
         return coupling is not None and coupling.kind == "ring" and "gear" in self.uses
 
     def notices(self) -> tuple[Notice, ...]:

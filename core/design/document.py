@@ -5,13 +5,13 @@ the JSON pointer without the unit (`contact.pin_radius`).
 import math
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property, lru_cache, partial
-from typing import Any, TypeVar, cast
+from typing import Annotated, Any, TypeVar, cast
 
 from core.arrays import check_count
 from core.design.contact import Contact, PairSizes, SharedBy
-from core.design.ring import CycloidRing, InvoluteRing, Ring, RingBody
+from core.design.ring import RINGS, CycloidRing, InvoluteRing, Ring, RingBody
 from core.design.sections import (
     USUAL_LIFE,
     USUAL_RELIABILITY,
@@ -32,8 +32,11 @@ from core.errors import InvalidInput, NotKnown, derived, if_known, is_known, req
 from core.hertz import SLIDING as KNOWN_SLIDING
 from core.hertz import Body, ElasticMaterial, Plastic, Spread
 from core.output.elasticity import (
+    COUPLINGS,
+    LAWS,
     RIGID_SUPPORT,
     ContactLaw,
+    CrankSupport,
     RingInSeries,
     SatelliteSupport,
     Supports,
@@ -105,7 +108,8 @@ def mechanism_of(given: MechanismSection) -> Mechanism:
 class Design:
     """Crank-planetary reducer, as far as it is given.
 
-    A section that is not given is false, and reading from it raises `NotKnown`.
+    A section that is not given is false, and reading from it raises `NotKnown`. Where a document
+    states another type than the design has, that stands in `Annotated`.
 
     Raises
     ------
@@ -119,16 +123,19 @@ class Design:
     mechanism: MechanismSection  # pins, satellites, cranks, ratio
     load: Load = not_given("load")
     contact: Contact = not_given("contact")
-    contact_law: ContactLaw | None = None  # elastic law of a pair; None: by Hertz
-    deviations: Deviations | None = None  # measured deviations of this piece; None: none stated
-    crank_support: SatelliteSupport = RIGID_SUPPORT  # elasticity between satellites and cranks
+    # Elastic law of a pair; None: by Hertz.
+    contact_law: Annotated[ContactLaw | None, LAWS] = None
+    # Measured deviations of this piece; None: none stated.
+    deviations: Annotated[Deviations | None, Deviations] = None
+    # Elasticity between satellites and cranks.
+    crank_support: Annotated[SatelliteSupport, CrankSupport] = RIGID_SUPPORT
     # Elasticity between satellites and ring, or `RingInSeries` to solve both meshes in series.
-    satellite_coupling: SatelliteSupport = RIGID_SUPPORT
+    satellite_coupling: Annotated[SatelliteSupport, COUPLINGS] = RIGID_SUPPORT
     pin: DesignPin = not_given("pin")  # support, bending and strength
     fatigue: FatigueBasis = not_given("fatigue")  # basis of the fatigue strength of the pins
     friction: Friction = not_given("friction")
     rollers: Rollers = not_given("rollers")  # rolling bearings on the pins
-    gear: Ring = not_given("gear")  # teeth or pins of the ring
+    gear: Annotated[Ring, RINGS] = not_given("gear")  # teeth or pins of the ring
     bearing: RollingBearing = not_given("bearing")  # satellite bearing on the crank
     crankshaft: Shaft = not_given("crankshaft")  # places of satellites and bearings
     satellite_body: SatelliteBody = not_given("satellite_body")
@@ -797,6 +804,12 @@ class Design:
     def static_share(self) -> float:
         """Torque for static strength over the working torque times its factor."""
         return self.static_torque / (self.pin_torque * self.load_factor)
+
+
+KINDS: dict[str, Any] = {
+    each.name: getattr(each.type, "__metadata__", (each.type,))[0] for each in fields(Design)
+}
+"""Sections of a document: the dataclass of each, or those of its kinds."""
 
 
 def _of_plastics(plastics: Iterable[Plastic], path: str) -> Spread:

@@ -633,7 +633,7 @@ class CatalogueBearing:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RollingBearing(CatalogueBearing):
-    """Bearing of a satellite on its crank."""
+    """A rolling bearing as its catalogue gives it."""
 
     reliability_percent: float = quantity("Reliability", default=90.0, ge=90, le=99)
     """Share of bearings that reach the life: 90, 95, 96, 97, 98 or 99 %."""

@@ -11,34 +11,19 @@ from typing import Any
 from core.arrays import check_count
 from core.bearings import BEARINGS, named_bearing, names_like
 from core.design.contact import Contact
-from core.design.document import Design
-from core.design.ring import RINGS, CycloidRing, InvoluteRing
-from core.design.sections import (
-    MAX_PAIRS,
-    USUAL_SATELLITES,
-    DesignPin,
-    FatigueBasis,
-    Friction,
-    Load,
-    MechanismSection,
-    Requirements,
-    Rollers,
-    RollingBearing,
-    SatelliteBody,
-    Shaft,
-    Temperatures,
-)
-from core.design.tolerances import ToleranceSection
+from core.design.document import KINDS, Design
+from core.design.ring import CycloidRing, InvoluteRing
+from core.design.sections import MAX_PAIRS, USUAL_SATELLITES, MechanismSection, Rollers
 from core.errors import InvalidInput, NotKnown, required, within
 from core.fields import Variants
 from core.hertz import ElasticMaterial
 from core.material_table import MATERIALS
 from core.materials import in_bending
 from core.output.contact_force import output_torque_from_input
-from core.output.elasticity import COUPLINGS, LAWS, CrankSupport, HertzLaw, RingInSeries, usual_law
+from core.output.elasticity import HertzLaw, RingInSeries, usual_law
 from core.output.mechanism import Members, ratio_from_teeth
 from core.output.pin_bolt import PinBolt, bolt_preload
-from core.output.room import OF_RING_PINS, Deviations
+from core.output.room import OF_RING_PINS
 
 Values = Mapping[str, Any]
 """Values of a section, by the names of its fields and of those from which they follow; a material
@@ -208,28 +193,6 @@ FOLLOWING: dict[Any, Callable[[Values], dict[str, Any]]] = {
 }
 """Functions of the values that follow from others of a section."""
 
-KINDS: dict[str, Any] = {
-    "mechanism": MechanismSection,
-    "load": Load,
-    "contact": Contact,
-    "contact_law": LAWS,
-    "deviations": Deviations,
-    "crank_support": CrankSupport,
-    "satellite_coupling": COUPLINGS,
-    "fatigue": FatigueBasis,
-    "friction": Friction,
-    "rollers": Rollers,
-    "pin": DesignPin,
-    "gear": RINGS,
-    "bearing": RollingBearing,
-    "crankshaft": Shaft,
-    "satellite_body": SatelliteBody,
-    "temperatures": Temperatures,
-    "tolerances": ToleranceSection,
-    "requirements": Requirements,
-}
-"""Sections of a document, each after those from which it takes values."""
-
 
 def output_torque(*, load: Values, members: Members) -> float | None:
     """Torque of the output, N*m, as stated or by that of the crankshaft; None if neither is."""
@@ -307,7 +270,8 @@ def design_of(
     if not pin_alone and not ("contact" in stated and "contact" in used):
         used = {*used} - {"pin"}
     made: dict[str, Any] = {}
-    for name in (each for each in KINDS if each in stated):
+    given = [each for each in KINDS if each in stated]
+    for name in sorted(given, key="pin".__eq__):  # pins last, as they take values of rollers
         try:
             made[name] = _of_design(name, stated, made)
         except NotKnown:

@@ -108,6 +108,8 @@ LAWS = Variants(
     help="Hertz: line contact with a logarithmic approach; conformal: the hole wraps around the "
     "pin, and its approach is counted to a depth of three hole radii; Palmgren: steel rollers; "
     "linear; power. The default is conformal if a body is softer than 20 GPa, else Hertz.",
+    about="Elastic law of a pair of pin and hole.\n\n"
+    "If it is not given, the conformal law holds with a body below 20 GPa, else Hertz's law.",
 )
 """Contact laws by their kind in the document."""
 
@@ -512,7 +514,7 @@ RIGID_SUPPORT = SatelliteSupport()
 
 @dataclass(frozen=True, slots=True)
 class CrankSupport(SatelliteSupport):
-    """Bearing of each satellite on its crank."""
+    """Bearings of the satellites on their cranks. The force of the ring on them is left out."""
 
     stiffness: float = size(
         "Stiffness of a bearing", "k_b", "N_per_mm", default=math.inf, step=10_000
@@ -604,6 +606,7 @@ COUPLINGS = Variants(
     "ring; shares: each satellite carries a given share; ring: each satellite finds its place "
     "between the ring of `gear` and the pins, so that both meshes are in series.",
     default="rigid",
+    about="Sharing of the torque between the satellites.",
 )
 """Sharing of the torque between the satellites, by its kind in the document."""
 

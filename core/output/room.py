@@ -116,10 +116,9 @@ class Errors(NamedTuple, Generic[R]):
 
 @dataclass(frozen=True, slots=True)
 class Deviations:
-    """Deviations of a piece from its nominal sizes; empty tuples are zeros.
-
-    Positive values are outward, in the driving sense, larger, or ahead. N is the number of pins, K
-    that of satellites.
+    """Deviations of a piece from its nominal sizes: of each pin, of each hole satellite by
+    satellite, of each crank or disc, of each ring pin. Positive means outward, in the driving
+    sense, larger, ahead.
     """
 
     pin_radial: tuple[float, ...] = _of_pin("Pins outward", "ρ")

@@ -8,10 +8,10 @@ from typing import Any, ClassVar, Literal
 import pytest
 from pydantic import ValidationError
 
-from app.fields import RequestField, SectionFields, request_fields
+from app.fields import RequestField, SectionedFields, SectionFields, request_fields
 from app.model import Maybe, quantity
 from app.units import UNITS
-from core.fields import Forms, Rule, optional_size, size
+from core.fields import Forms, Rule, Variants, optional_size, size
 from core.fields import quantity as of_core
 
 
@@ -69,6 +69,17 @@ class AnyPlateFields(SectionFields, of={"any": Plate, "round": Round}, group="pl
 
     kind: Maybe[Literal["any", "round"]] = quantity("Kind")
     """Kind of plate."""
+
+
+COVERS = Variants({"round": Round}, title="Cover", help="Kind of cover.", about="A cover.")
+
+
+class BoxFields(
+    SectionedFields, sections={"base_plate": Round, "plate": Plate, "top_cover": COVERS}
+):
+    """A box of a request."""
+
+    plate: PlateFields
 
 
 GIVEN: dict[str, Any] = {"corners": 4.0, "density_kg_m3": 7850.0}
@@ -144,6 +155,19 @@ def test_the_schema_says_what_the_dataclass_says() -> None:
         "x-group": "plate",
     }
     assert "default" not in schema["properties"]["painted"]
+
+
+def test_a_document_has_the_sections_that_it_does_not_annotate() -> None:
+    schema = BoxFields.model_json_schema()
+    assert [*BoxFields.model_fields] == ["base_plate", "plate", "top_cover"]
+    assert schema["required"] == ["plate"]
+    made = {name: schema["$defs"][name] for name in ("BasePlateFields", "TopCoverFields")}
+    assert [each["description"] for each in made.values()] == ["A round plate.", "A cover."]
+    groups = [each["properties"]["radius_mm"]["x-group"] for each in made.values()]
+    assert groups == ["base_plate", "top_cover"]
+    read = BoxFields.model_validate({"plate": GIVEN, "base_plate": {"radius_mm": 1.0}})
+    assert read.given["base_plate"].section() == Round(radius=0.001)
+    assert "top_cover" not in read.given
 
 
 def _sections(model: Any) -> Iterator[Any]:
