@@ -1,52 +1,45 @@
 """All calculations of the service, from which routes, batches, examples and tests read them."""
 
-from app.calculations import (
-    contact_force,
-    contact_line,
-    crank_planetary,
-    crankshaft,
-    cyclogram,
-    fit,
-    hertz,
-    load_sharing,
-    meshing_load,
-    output_efficiency,
-    pin_strength,
-    ring_mesh,
-    roller_strength,
-    satellite_bearing,
-    shaft_deflection,
-    solve,
-    tolerance_study,
-    work_precision,
-)
+from importlib import import_module
+from pkgutil import iter_modules
+
+from app import calculations
 from app.exports import dxf
 from app.model import Calculation, Export
 
-CALCULATIONS: dict[str, Calculation] = {
-    module.CALCULATION.name: module.CALCULATION
-    for module in (
-        hertz,
-        contact_force,
-        roller_strength,
-        cyclogram,
-        crank_planetary,
-        output_efficiency,
-        fit,
-        load_sharing,
-        ring_mesh,
-        pin_strength,
-        satellite_bearing,
-        crankshaft,
-        tolerance_study,
-        contact_line,
-        meshing_load,
-        shaft_deflection,
-        solve,
-        work_precision,
-    )
-}
-"""Calculations by name, in the order in which a request's path is compared."""
+FIRST = (
+    "hertz",
+    "contact-force",
+    "roller-strength",
+    "cyclogram",
+    "crank-planetary",
+    "output-efficiency",
+    "fit",
+    "load-sharing",
+    "ring-mesh",
+    "pin-strength",
+    "satellite-bearing",
+    "crankshaft",
+    "tolerance-study",
+    "precession/contact-line",
+    "precession/meshing-load",
+    "precession/shaft-deflection",
+    "solve",
+    "work-precision",
+)
+"""Names of calculations in the order in which a request's path is compared; others follow."""
+
+
+def _calculations() -> dict[str, Calculation]:
+    """Calculations of those modules of `app.calculations` that have one, by name."""
+    names = [f"{calculations.__name__}.{each.name}" for each in iter_modules(calculations.__path__)]
+    made = [getattr(import_module(name), "CALCULATION", None) for name in names]
+    found = {each.name: each for each in made if each}
+    return {name: found[name] for name in dict.fromkeys((*FIRST, *found))}
+
+
+CALCULATIONS = _calculations()
+"""Calculations by name."""
 
 EXPORTS: dict[str, Export] = {module.EXPORT.name: module.EXPORT for module in (dxf,)}
 """Files of a design, by name."""
