@@ -134,15 +134,18 @@ def drawn(seed: int, **changes: Any) -> tuple[MeshesInSeries, float, float]:
 Supported = tuple[RealMechanism, CycloidMesh, float, float]
 
 
-def supported(seed: int, support: SatelliteSupport, tie: str = "") -> Supported:
-    """Output and ring with errors of every kind, linear contacts, and a tie ring by its joint."""
+def supported(seed: int, support: SatelliteSupport, pins: str = "") -> Supported:
+    """Output and ring with errors of every kind, linear contacts, and pins that bend, by their
+    support or by their joint to a tie ring.
+    """
     both, angle, torque = drawn(4 * seed)
     r = np.random.default_rng(seed)
     output = replace(both.output, law=LinearLaw(10 ** r.uniform(7.5, 9)), support=support)
-    if tie:
+    if pins:
         places = tuple(0.012 + 0.014 * j for j in range(output.mechanism.satellites))
-        span = places[-1] + 0.011
-        pin = PinSupport("tie_ring", 1.9 * output.pin_radius, places, STEEL, span, ring_joint=tie)  # type: ignore[arg-type]
+        sizes: tuple[Any, ...] = 1.9 * output.pin_radius, places, STEEL, places[-1] + 0.011
+        tied = pins in ("pinned", "clamped")
+        pin = PinSupport("tie_ring", *sizes, ring_joint=pins) if tied else PinSupport(pins, *sizes)  # type: ignore[arg-type]
         output = replace(output, contact_length=0.01, pin=pin)
     ring = replace(both.ring, law=LinearLaw(10 ** r.uniform(8, 9)))
     return output, ring, angle, torque

@@ -13,6 +13,7 @@ tie_ring           pins and the ring that joins them as a frame of finite elemen
 satellites         what satellites do at many angles, with
 satellite_turn     their sums and shares over the turn
 turns              what is largest over the turn of a mechanism as made, by bisection
+stored             where the energy of all that gives at once is least, at 30 digits
 losses, teeth      friction in pins and holes; whether teeth can exist
 hertz, dissimilar  line contact and Persson's conformal contact
 rims               what the load as a whole moves at a hole and a disc, by finite elements

@@ -1,86 +1,124 @@
 """Energy of discs between a ring and output pins, with all that gives at once: the discs float in
 their bearings, or turn in elastic meshes, pins bend, a tie ring joins them. Points in the plane as
-complex numbers, linear contacts; scipy finds where the slopes of the energy are zero.
+complex numbers, linear contacts. Doubles lead near to where the energy is least, and from there on
+slopes of 40 digits are narrowed until nothing is left of 30.
 
 Nothing is shared with ``core``. Unknowns: the lag of the output; of each disc its lag and its shift
 on its crank; the bends of each pin at each disc, in the plane; the tie ring's shift and turn.
 """
 
-import math
+from collections.abc import Callable
 from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.optimize import root
+from mpmath import mp, mpf
 
 from tests.oracles.tie_ring import Pin
 
+LEFT = mpf("1e-30")
+"""What is left of the slopes over the largest force."""
+
+
+class Numbers(NamedTuple):
+    """Numbers to calculate with. In products arrays stand first: mpmath's numbers would try to read
+    the array, which takes longer than all else.
+    """
+
+    one: Any
+    pi: Any
+    turned: Callable[[Any], Any]  # exp(i*x)
+    real: Callable[[Any], Any]
+    near: float  # last step of Newton to a foot, rad, which leaves its square
+
+
+DOUBLES = Numbers(1.0, np.pi, lambda x: np.exp(1j * x), np.real, 1e-8)
+DIGITS = Numbers(
+    mpf(1), mp.pi, np.frompyfunc(mp.expj, 1, 1), np.frompyfunc(lambda z: z.real, 1, 1), 1e-17
+)
+
 
 class Stored(NamedTuple):
-    """Slopes of the energy, and the forces of the contacts."""
+    """Slopes of the energy at unknowns, and the forces of the contacts."""
 
+    x: np.ndarray
     slopes: np.ndarray
     force: np.ndarray  # of output pins, N, shape (K, N)
     ring_force: np.ndarray  # of the ring's pins, N, shape (K, z_p)
     journal: np.ndarray  # of the bearings, N, shape (K,), complex in the frame of the crank
-    energy: float  # N*m
+    energy: Any  # N*m
+
+    @property
+    def top(self) -> Any:
+        """Largest force, N."""
+        return max(*self.force.ravel(), *self.ring_force.ravel())
 
 
 class Teeth:
     """A disc as it is cut, on the pins of its ring."""
 
-    def __init__(self, mesh: Any, j: int, crank_angle: float) -> None:
-        disc, own = mesh.disc, mesh.deviations
-        self.z, self.e = disc.satellite_teeth, disc.eccentricity
-        self.tool = disc.ring_pin_radius + disc.modification.equidistant
-        self.circle = disc.ring_pin_circle_radius + disc.modification.pin_circle
-        ahead = own.crank_phase[j] if own.crank_phase else 0.0
-        self.late = (own.disc_phase[j] if own.disc_phase else 0.0) + ahead / self.z
-        self.angle = crank_angle + mesh.crank_angles[j] + ahead
-        self.crank = 1j * np.exp(-1j * self.angle)
+    def __init__(self, mesh: Any, j: int, crank_angle: float, kind: Numbers) -> None:
+        disc, own, one, self.kind = mesh.disc, mesh.deviations, kind.one, kind
+        self.z, self.e = disc.satellite_teeth, one * disc.eccentricity
+        self.tool = one * disc.ring_pin_radius + disc.modification.equidistant
+        self.circle = one * disc.ring_pin_circle_radius + disc.modification.pin_circle
+        ahead = one * (own.crank_phase[j] if own.crank_phase else 0)
+        self.late = (own.disc_phase[j] if own.disc_phase else 0) + ahead / self.z
+        self.angle = one * crank_angle + mesh.crank_angles[j] + ahead
+        self.crank = 1j * kind.turned(-self.angle)
         """Direction of the crank in the frame of the ring."""
         count = self.z + 1
-        zeros = (0.0,) * count
-        out = 1j * np.exp(2j * np.pi * np.arange(count) / count)
-        radial, along = (np.array(row or zeros) for row in (own.pin_radial, own.pin_tangential))
-        self.place = out * (disc.ring_pin_circle_radius + radial + 1j * along)
-        self.radius = disc.ring_pin_radius + np.array(own.pin_radius or zeros)
-        self.start = self.angle / self.z - 2 * np.pi * np.arange(count) / count
+        radial, along, larger = (
+            np.array(row or (0.0,) * count) * one
+            for row in (own.pin_radial, own.pin_tangential, own.pin_radius)
+        )
+        pitch = np.arange(count) * (2 * kind.pi / count)
+        self.place = 1j * kind.turned(pitch) * (radial + disc.ring_pin_circle_radius + 1j * along)
+        self.radius = larger + disc.ring_pin_radius
+        self.foot = -pitch + self.angle / self.z
 
-    def approaches(self, lag: float, arm: complex) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def approaches(self, lag: Any, arm: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """How far the pins press in, the outward normals, and the arms of the feet."""
-        turned = np.exp(1j * (self.angle / self.z - lag - self.late))
-        point, n, t = (self.place - arm * self.crank) / turned, self.z + 1, self.start.copy()
+        turned, real = self.kind.turned(self.angle / self.z - lag - self.late), self.kind.real
+        point, n, last = (self.place - arm * self.crank) / turned, self.z + 1, np.inf
+        for _ in range(60):
+            first, second = (self.kind.turned(self.foot * -k) for k in (1, n))
+            path = (first * self.circle - second * self.e) * 1j
+            way = first * self.circle - second * (n * self.e)
+            if last < self.kind.near:
+                break
+            bend = (first * self.circle - second * (n * n * self.e)) * -1j
+            apart, square = point - path, real(way * way.conj())
+            under = square - real(apart * bend.conj())
+            step = real(apart * way.conj()) / np.where(under > 0, under, square)
+            self.foot, last = self.foot + np.clip(step, -0.1 / n, 0.1 / n), np.abs(step).max()
+        outward = way * 1j / np.abs(way)
+        distance = real((point - path) * outward.conj())
+        return self.radius - self.tool - distance, outward * turned, path * turned
 
-        def path() -> np.ndarray:
-            return 1j * (self.circle * np.exp(-1j * t) - self.e * np.exp(-1j * n * t))
 
-        for _ in range(15):
-            way = self.circle * np.exp(-1j * t) - n * self.e * np.exp(-1j * n * t)
-            bend = -1j * (self.circle * np.exp(-1j * t) - n * n * self.e * np.exp(-1j * n * t))
-            apart = point - path()
-            under = np.abs(way) ** 2 - (apart * bend.conj()).real
-            step = (apart * way.conj()).real / np.where(under > 0, under, np.abs(way) ** 2)
-            t = t + np.clip(step, -0.1 / n, 0.1 / n)
-        outward = 1j * way / np.abs(way)
-        distance = ((point - path()) * outward.conj()).real
-        return self.radius - self.tool - distance, outward * turned, path() * turned
-
-
-def beam(pin: Any, places: tuple[float, ...]) -> np.ndarray:
-    """Stiffness of a pin between places, the last of which a tie ring holds, by Timoshenko's
-    elements: its slopes are condensed.
+def beam(pin: Any, kind: Numbers) -> np.ndarray:
+    """Stiffness of a pin between its discs and its end, if a tie ring holds it, by Timoshenko's
+    elements: all other movements are condensed.
     """
-    one, nodes = Pin(pin.diameter, pin.bore_diameter), (0.0, *places)
-    whole = np.zeros((2 * len(nodes), 2 * len(nodes)))
+    one, made = kind.one, pin.material
+    sizes = pin.diameter, pin.bore_diameter, made.youngs_modulus, made.poissons_ratio
+    part = Pin(*(one * each for each in sizes), one * 10 / 9)
+    ends = () if pin.support == "cantilever" else (pin.span,)
+    nodes = (0.0, *pin.satellite_positions, *ends)
+    last = 2 * len(nodes)
+    whole = np.zeros((last, last)) * one
     for i, (low, high) in enumerate(pairwise(nodes)):
-        whole[2 * i : 2 * i + 4, 2 * i : 2 * i + 4] += one.element(high - low)
-    free = [*range(3, 2 * len(nodes), 2)]
-    if pin.tied and pin.ring_joint == "clamped":
-        free.pop()
-    kept = [*range(2, 2 * len(nodes), 2)]
-    corner = whole[np.ix_(kept, free)]
-    return whole[np.ix_(kept, kept)] - corner @ np.linalg.solve(whole[np.ix_(free, free)], corner.T)
+        whole[2 * i : 2 * i + 4, 2 * i : 2 * i + 4] += part.element(one * high - low, kind.pi)
+    free = [*range(3, last, 2)]
+    if pin.support == "supported":
+        free.append(1)
+    if pin.support == "fixed" or (pin.tied and pin.ring_joint == "clamped"):
+        free.remove(last - 1)
+    for k in free:
+        whole = whole - np.outer(whole[:, k], whole[k]) / whole[k, k]
+    kept = slice(2, last if pin.tied or not ends else last - 2, 2)
+    return whole[kept, kept]
 
 
 class Network:
@@ -88,112 +126,95 @@ class Network:
     of the mechanism. Without a ring discs are shifted along their cranks alone.
     """
 
-    def __init__(self, real: Any, ring: Any, crank_angle: float, torque: float) -> None:
-        self.real, self.torque = real, torque
-        own, made, zeros = real.mechanism, real.deviations, (0.0,) * real.mechanism.satellites
-        self.pins, self.discs = own.pins, own.satellites
-        self.stiff = real.law.stiffness
-        psi = crank_angle * (1 + 1 / own.ratio) + own.initial_crank_angle
-        phases = np.array(made.crank_phase or zeros)
-        self.crank = 1j * np.exp(-1j * (psi + np.array(own.crank_angles) + phases))
-        self.arm = real.eccentricity + np.array(made.eccentricity or zeros)
-        self.out = 1j * np.exp(2j * np.pi * np.arange(own.pins) / own.pins)
-        none = np.zeros(own.pins)
-        radial, along, larger = (
-            np.array(row) if row else none
-            for row in (made.pin_radial, made.pin_tangential, made.pin_radius)
-        )
-        self.pin = self.out * (real.pin_circle_radius + radial + 1j * along)
-        holes = [
-            np.array(row) if row else np.zeros((self.discs, own.pins))
-            for row in (made.hole_radial, made.hole_tangential, made.hole_radius)
-        ]
-        self.hole = self.out * (real.pin_circle_radius + holes[0] + 1j * holes[1])
-        self.room = real.eccentricity + real.clearance + holes[2] - larger
-        self.teeth = [Teeth(ring, j, crank_angle) for j in range(self.discs)] if ring else []
-        self.ring_stiff = ring.law.stiffness if ring else 0.0
-        self.late = (
-            np.zeros(self.discs)
-            if ring
-            else -(np.array(made.disc_phase or zeros) + phases / own.ratio)
-        )
-        support = real.support
+    def __init__(
+        self, real: Any, ring: Any, crank_angle: float, torque: float, kind: Numbers = DIGITS
+    ) -> None:
+        self.given, self.kind, one = (real, ring, crank_angle, torque), kind, kind.one
+        own, made, support = real.mechanism, real.deviations, real.support
+        self.torque, self.pins, self.discs = torque, own.pins, own.satellites
+
+        def errors(*names: str) -> list[np.ndarray]:
+            rows = [getattr(made, name) for name in names]
+            return [np.array(row) * one if row else np.zeros(1) * one for row in rows]
+
+        off, phases, late = errors("eccentricity", "crank_phase", "disc_phase")
+        psi = crank_angle * (1 + 1 / (one * own.ratio)) + own.initial_crank_angle
+        self.crank = 1j * kind.turned(-(phases + np.array(own.crank_angles) + psi))
+        self.arm = off + np.full(self.discs, real.eccentricity)
+        self.circle = one * real.pin_circle_radius
+        self.out = 1j * kind.turned(np.arange(own.pins) * (2 * kind.pi / own.pins))
+        radial, along, larger = errors("pin_radial", "pin_tangential", "pin_radius")
+        self.pin = self.out * (radial + self.circle + 1j * along)
+        radial, along, wider = errors("hole_radial", "hole_tangential", "hole_radius")
+        self.hole = self.out * (radial + self.circle + 1j * along)
+        self.room = wider - larger + (one * real.eccentricity + real.clearance)
+        discs = range(self.discs) if ring else ()
+        self.teeth = [Teeth(ring, j, crank_angle, kind) for j in discs]
+        self.stiff, self.ring_stiff = real.law.stiffness, ring.law.stiffness if ring else 0.0
+        self.late = np.zeros(self.discs) if ring else -(late + phases / own.ratio)
         self.bearing, self.loose, self.mesh = support.bearing, support.loose, support.mesh
-        self.bent = bool(real.pin.bends or real.pin.tied)
         self.tied = real.pin.tied
-        if self.bent:
-            places = real.pin.satellite_positions
-            self.beam = beam(real.pin, (*places, real.pin.span) if self.tied else places)
+        self.bent = bool(real.pin.bends or self.tied)
+        self.beam = beam(real.pin, kind) if self.bent else None
 
     @property
     def sizes(self) -> np.ndarray:
         """Lengths of the unknowns: a lag times this is a displacement."""
-        circle = self.real.pin_circle_radius
-        bends = 2 * self.pins * self.discs if self.bent else 0
+        circle, bends = float(self.circle), 2 * self.pins * self.discs if self.bent else 0
         rest = [1.0] * (2 * self.discs + bends + (2 if self.tied else 0))
         return np.array([circle] * (1 + self.discs) + rest + ([circle] if self.tied else []))
 
     def at(self, x: np.ndarray) -> Stored:
         """Slopes of the energy at unknowns."""
-        count, pins = self.discs, self.pins
+        count, pins, real = self.discs, self.pins, self.kind.real
         lag, own = x[0], x[1 : 1 + count]
         shift = x[1 + count : 1 + 2 * count] + 1j * x[1 + 2 * count : 1 + 3 * count]
-        rest = x[1 + 3 * count :]
-        by_lag, by_own, by_shift = -self.torque, np.zeros(count), np.zeros(count, complex)
-        bends = np.zeros((pins, count), complex)
+        bends, rest = np.zeros((pins, 1)), x[1 + 3 * count :]
         if self.bent:
             flat = rest[: 2 * pins * count].reshape(pins, count, 2)
             bends, rest = flat[..., 0] + 1j * flat[..., 1], rest[2 * pins * count :]
         centre = (self.arm + shift) * self.crank
-        place = self.pin * np.exp(-1j * lag)
-        energy = -self.torque * lag
-        arm = self.hole * np.exp(-1j * (own + self.late))[:, None]
+        place = self.pin * self.kind.turned(-lag)
+        arm = self.hole * self.kind.turned(-(own + self.late))[:, None]
         apart = place + bends.T - arm - centre[:, None]
         # A bearing without a ring acts along its crank alone: its clearance is one of each pin.
         loose = 0.0 if self.teeth else self.loose
-        approach = np.abs(apart) - self.room - loose
-        force = self.stiff * np.maximum(approach, 0.0)
-        energy += float((force * np.maximum(approach, 0.0)).sum()) / 2
+        deep = np.maximum(np.abs(apart) - self.room - loose, 0.0)
+        force = self.stiff * deep
+        energy = (force * deep).sum() / 2 + self.mesh * (own @ own) / 2 - self.torque * lag
         pull = force * apart / np.abs(apart)
-        by_lag += (pull.conj() * (-1j * place)).real.sum()
-        by_own += (pull.conj() * (1j * arm)).real.sum(axis=1)
-        by_shift -= pull.sum(axis=1) / self.crank
+        by_lag = real((pull.conj() * place * -1j).sum()) - self.torque
+        by_own = real((pull.conj() * arm * 1j).sum(axis=1)) + self.mesh * own
+        by_shift = -pull.sum(axis=1) / self.crank
         ring_force = []
         for j, teeth in enumerate(self.teeth):
-            deep, outward, foot = teeth.approaches(float(own[j]), complex(self.arm[j] + shift[j]))
-            pressing = self.ring_stiff * np.maximum(deep, 0.0)
-            energy += float((pressing * np.maximum(deep, 0.0)).sum()) / 2
+            deep, outward, foot = teeth.approaches(own[j], self.arm[j] + shift[j])
+            deep = np.maximum(deep, 0.0)
+            ring_force.append(pressing := self.ring_stiff * deep)
+            energy += (pressing * deep).sum() / 2
             by_shift[j] += (pressing * outward).sum() / teeth.crank
-            by_own[j] += (pressing * (outward.conj() * (-1j * foot)).real).sum()
-            ring_force.append(pressing)
-        by_own += self.mesh * own
-        energy += self.mesh * float(own @ own) / 2
+            by_own[j] += real((pressing * outward.conj() * foot * -1j).sum())
         far = np.abs(shift)
-        deep = np.maximum(far - (self.loose if self.teeth else 0.0), 0.0)
+        deep = np.maximum(far - (self.loose - loose), 0.0)
         journal = self.bearing * deep * shift / np.where(far > 0, far, 1.0)
-        energy += self.bearing * float(deep @ deep) / 2
+        energy += self.bearing * (deep @ deep) / 2
         by_shift += journal
-        slopes = [np.array([by_lag]), by_own, by_shift.real, by_shift.imag]
+        slopes = [np.array([by_lag]), by_own, real(by_shift), real(by_shift * -1j)]
         if self.bent:
             all_bends = bends
             if self.tied:
                 # The ring's turn moves a pin's end as the output turns, against the lag.
-                ends = complex(rest[0], rest[1]) + rest[2] * 1j * self.out * self._circle
+                ends = self.out * (1j * rest[2] * self.circle) + (rest[0] + 1j * rest[1])
                 all_bends = np.concatenate([bends, ends[:, None]], axis=1)
             back = all_bends @ self.beam
-            energy += float((back * all_bends.conj()).real.sum()) / 2
+            energy += real((back * all_bends.conj()).sum()) / 2
             by_bend = back[:, :count] + pull.T
-            slopes.append(np.stack([by_bend.real, by_bend.imag], axis=-1).ravel())
+            slopes.append(np.stack([real(by_bend), real(by_bend * -1j)], axis=-1).ravel())
             if self.tied:
-                ring = back[:, -1]
-                turn = (ring.conj() * 1j * self.out).real.sum() * self._circle
-                slopes.append(np.array([ring.real.sum(), ring.imag.sum(), turn]))
-        every = np.concatenate(slopes)
-        return Stored(every, force, np.array(ring_force), journal, float(energy))
-
-    @property
-    def _circle(self) -> float:
-        return float(self.real.pin_circle_radius)
+                on_ring = back[:, -1].sum()
+                turn = (back[:, -1].conj() * self.out).sum() * (1j * self.circle)
+                slopes.append(real(np.array([on_ring, -1j * on_ring, turn])))
+        return Stored(x, np.concatenate(slopes), force, np.array(ring_force), journal, energy)
 
     @property
     def held(self) -> np.ndarray:
@@ -205,25 +226,40 @@ class Network:
         found[1 + 2 * count : 1 + 3 * count] = not (gives and self.teeth)
         return found
 
+    def unknowns(self, lag: float, own: np.ndarray, shift: np.ndarray) -> np.ndarray:
+        """The first unknowns: lags of output and discs, without those due to errors, and shifts."""
+        return np.array([lag, *(own - self.late).astype(float), *shift.real, *shift.imag])
+
     def rest(self, near: np.ndarray) -> Stored:
-        """The equilibrium next to unknowns, some micrometres off it."""
-        moves, sizes = ~self.held, self.sizes
+        """The equilibrium next to lags and shifts; pins are straight at first."""
+        moves, sizes, rough = ~self.held, self.sizes, Network(*self.given, DOUBLES)
+        ways, step = np.diag(1e-10 / sizes)[moves], np.ones(len(sizes))
+        x = np.pad(near, (0, len(sizes) - len(near))) * moves
 
-        def balance(y: np.ndarray) -> np.ndarray:
-            x = np.zeros(len(sizes))
-            x[moves] = y * 1e-6 / sizes[moves]
-            return np.asarray(self.at(x).slopes[moves] / sizes[moves])
+        def far(step: np.ndarray) -> bool:
+            return bool(np.abs(step * sizes).max() > 1e-9)
 
-        start = (near * sizes * 1e6)[moves]
-        found = root(balance, start, method="hybr", options={"xtol": 1e-13, "eps": 1e-10})
-        x = np.zeros(len(sizes))
-        x[moves] = found.x * 1e-6 / sizes[moves]
-        there = self.at(x)
-        top = max(there.force.max(), *(each.max() for each in there.ring_force), 1e-300)
-        left = np.abs(there.slopes[moves] / sizes[moves]).max()
-        assert left < 1e-8 * top, left / top
-        for seed in range(6):  # it is a minimum
-            way = np.random.default_rng(seed).normal(0, 1e-6, len(sizes)) / sizes * moves
-            assert self.at(x + way).energy > there.energy
-        assert math.isfinite(there.energy)
+        while far(step):
+            there = rough.at(x)
+            rows = [rough.at(x + way).slopes - rough.at(x - way).slopes for way in ways]
+            stiff = (np.array(rows) / sizes)[:, moves] / 2e-10
+            stiff += np.eye(len(stiff))  # 1 N/m holds discs that carry nothing
+            step = np.zeros(len(sizes))
+            step[moves] = np.linalg.solve(stiff, (there.slopes / sizes)[moves]) / sizes[moves]
+            while far(step) and rough.at(x - step).energy > there.energy:
+                step /= 2
+            x = x - step
+        x = x * mpf(1)
+        for _ in range(100):
+            there = self.at(x)
+            left = (there.slopes / sizes)[moves]
+            if np.abs(left).max() < LEFT * there.top:
+                break
+            x[moves] -= np.linalg.solve(stiff, left.astype(float)) / sizes[moves]
+        else:
+            raise AssertionError("no equilibrium is near the lags and shifts given")
+        assert np.linalg.eigvalsh(stiff).min() > 0  # it is a minimum
+        way = np.random.default_rng(1).normal(0, 1e-15, len(sizes)) / sizes * moves
+        low, high = (self.at(each).energy - there.energy for each in (x - way, x + way))
+        assert abs(high - low) < 1e-9 * (high + low)  # the slopes are those of the energy
         return there

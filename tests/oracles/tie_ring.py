@@ -22,10 +22,10 @@ class Pin(NamedTuple):
     poissons_ratio: float = 0.3
     shear_factor: float = 10 / 9
 
-    def element(self, length: float) -> np.ndarray:
+    def element(self, length: float, pi: float = math.pi) -> np.ndarray:
         """Stiffness of an element by deflection and slope of its ends, exact for loads at ends."""
-        inertia = math.pi * (self.diameter**4 - self.bore**4) / 64
-        area = math.pi * (self.diameter**2 - self.bore**2) / 4
+        inertia = pi * (self.diameter**4 - self.bore**4) / 64
+        area = pi * (self.diameter**2 - self.bore**2) / 4
         bending = self.youngs_modulus * inertia
         shear = self.youngs_modulus / (2 * (1 + self.poissons_ratio)) * area / self.shear_factor
         phi, x = 12 * bending / (shear * length**2), length
