@@ -100,8 +100,7 @@ def pressure_steps(
     sheet.work("path_slope", "S", "sqrt(1+K_m^2-2*K_m*cos(a))", slope[at])
     formula = "R_m*S^3/(1+z_p*K_m^2-(z_p+1)*K_m*cos(a))"
     sheet.work("path_radius", "rho_W", formula, path[at])
-    if size[at] != disc.ring_pin_radius:
-        sheet.take("r_p", "ring_pin_radius", size[at])
+    sheet.take("r_p", "ring_pin_radius", size[at])
     sheet.work("reduced_radius", "rho", "1/(1/r_p+1/(rho_W-r_m))", reduced[at])
     materials = mesh.pin_material, mesh.disc_material
     take_materials(sheet, *materials)

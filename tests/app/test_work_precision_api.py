@@ -13,7 +13,7 @@ from app.examples import REQUESTS
 from app.registry import CALCULATIONS
 from app.settings import Settings
 from core.errors import InvalidInput
-from core.precision import CLASSES, EXACT, JUDGED
+from core.precision import CLASSES, EXACT, JUDGED, SEARCHED
 from tests.inputs.bodies import changed
 from tests.inputs.papers import GEAR, SHAFT
 
@@ -37,6 +37,8 @@ async def test_a_study_compares_methods_and_marks_an_accurate_default(api, calcu
     assert all(point["run_time_us"] > 0 for point in answer["points"])
     assert len({point["method"] for point in answer["points"]}) >= 3
     assert max(point["relative_error"] for point in answer["points"]) > 1e-6
+    finest = {point["method"]: point for point in answer["points"] if point["evaluations"] > 1}
+    assert all(point["relative_error"] < SEARCHED for point in finest.values())
 
 
 async def test_more_samples_are_better_and_dearer(api):
