@@ -767,7 +767,9 @@ class AssumedOut(BaseModel):
     """Important value that was not given."""
 
     pointer: str = Field(description="JSON pointer to the field.")
-    value: float | str | dict[str, Any] = Field(description="Value that is assumed for the field.")
+    value: float | str | list[float] | dict[str, Any] = Field(
+        description="Value that is assumed for the field."
+    )
     low: Maybe[float] = Field(
         description="Least value in the sources of a material that disagree; checks are judged "
         "over the whole range."

@@ -260,6 +260,8 @@ def _kind_values(code: str) -> Values:
     )
 
 
+_ALONG = ("build.gap", "pin.contact_length", "contact.contact_length")
+
 FOLLOWS = {
     "load.output_torque": ("load.input_torque", "load.efficiency"),
     "mechanism.ratio": (
@@ -273,6 +275,17 @@ FOLLOWS = {
         "contact.eccentricity",
         "contact.hole_clearance",
         "contact.fit",
+    ),
+    "pin.satellite_positions": _ALONG,
+    "pin.span": _ALONG,
+    "crankshaft.satellite_positions": ("pin.satellite_positions",),
+    "crankshaft.bearing_positions": (
+        "pin.satellite_positions",
+        "build.carrier_width",
+        "build.second_carrier_width",
+        "pin.diameter",
+        "contact.pin_radius",
+        "crankshaft.bearings",
     ),
 }
 """Values of a design that a request may leave out, with the values that they follow from."""

@@ -32,6 +32,7 @@ from app.model import (
 )
 from core.checks.cold_yield import ColdYield
 from core.checks.records import CHECKS
+from core.design.layout import Envelope
 from core.design.real_forces import RealForces
 from core.output.sampled_turn import WAYS
 
@@ -70,6 +71,10 @@ class DesignHertzOut(HertzResponse):
         "are those at the largest line load.",
         symbol="K_b",
     )
+
+
+class EnvelopeOut(ResponseModel, of=Envelope):
+    """Outer sizes of a reducer, without motor, bearing of the output and seals."""
 
 
 class ColdYieldOut(ResponseModel, of=ColdYield):
@@ -145,6 +150,10 @@ class CrankPlanetaryResponse(JudgedResponse, DocumentResponse):
         " circle are given."
     )
     geometry: Maybe[GeometryOut] = result("Pins and holes at the requested crank angle.")
+    envelope: Maybe[EnvelopeOut] = result(
+        "Outer diameter and length without motor, bearing of the output and seals; by usual sizes "
+        "where `build` does not give them."
+    )
     combined: Maybe[CombinedOut] = result(
         "Changes of several inputs after which no check fails, if no change of a single input "
         "is enough."

@@ -19,6 +19,7 @@ from app.calculations.combined import combined
 from app.calculations.crank_planetary_answer import (
     ColdYieldOut,
     DesignHertzOut,
+    EnvelopeOut,
     LoadSharingOut,
 )
 from app.calculations.crankshaft import CrankshaftResponse
@@ -109,6 +110,7 @@ Section = Literal[
     "geometry",
     "usual_fit",
     "usual_modification",
+    "envelope",
     "checks",
     "largest_torque",
     "fixes",
@@ -139,6 +141,7 @@ NEEDS_OF: dict[Section, Needs] = {
     "geometry": _TOUCHING,
     "usual_fit": (*_TOUCHING, "contact/eccentricity_mm"),
     "usual_modification": ("load", "contact/eccentricity_mm", "gear"),
+    "envelope": _TOUCHING,
     "checks": (),
     "largest_torque": (),
     "fixes": (),
@@ -209,9 +212,9 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
         description="Sections of the answer: what is not named is not computed, nor the verdict "
         "without checks, largest_torque, fixes or combined. Where it is absent: the verdict and "
         "all but real_cyclogram, geometry, usual_fit, usual_modification, checks, largest_torque, "
-        "fixes and combined, as far as their input is given; members where others "
-        "than the pins are the output; load_sharing where clearance, deviations, a contact law, "
-        "satellites that give or pins that bend are. "
+        "fixes and combined, as far as their input is given; envelope where build is given; "
+        "members where others than the pins are the output; load_sharing where clearance, "
+        "deviations, a contact law, satellites that give or pins that bend are. "
         "load_sharing and hertz with these are left out then where the forces cannot be solved. "
         "What rests on the forces of parts that cannot be put together is always: the check "
         "interference says why.",
@@ -274,6 +277,11 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
     def _place(self, name: str) -> tuple[str, ...]:
         return tuple(map(str, self.path_of(name)))
 
+    @property
+    def builds(self) -> bool:
+        """True if sizes of housing and carrier are given, or answered."""
+        return super().builds or "envelope" in (self.include or ())
+
     def without(self, path: tuple[str, ...]) -> Values:
         """Peak force of one satellite, if forces are requested and the number is assumed."""
         return super().without(path) if "contact_force" in self.sections else {}
@@ -312,6 +320,8 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
         allowed = [
             each for each in allowed if self.mechanism.pairs <= MOST_PAIRS.get(each, MAX_PAIRS)
         ]
+        if self.says("build") and is_known(lambda: self.design.envelope):
+            allowed.append("envelope")
         if self._draws_ring:
             allowed.append("ring_mesh")
         if not self.results.solved or "hertz" not in allowed:
@@ -523,6 +533,7 @@ ANSWERS: dict[Section, Answer] = {
     "geometry": _geometry,
     "usual_fit": _usual_fit,
     "usual_modification": _usual_modification,
+    "envelope": lambda body: EnvelopeOut.values(body.design.envelope),
 }
 """Answers of the sections, in their order; checks and fixes belong to the verdict."""
 

@@ -4,6 +4,7 @@ them needs of it.
 
 import math
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property, partial
 from itertools import chain
@@ -23,6 +24,7 @@ from app.fields import SectionedFields
 from app.model import Maybe, RequestModel, Values, notices_of, result
 from app.rules import field_error
 from app.settings import Settings
+from app.units import from_si
 from core.arrays import FloatArray
 from core.design.document import KINDS, Design
 from core.design.results import Results
@@ -36,7 +38,14 @@ Result = TypeVar("Result")
 Needs = tuple[str, ...]
 """Paths of sections and fields of a document in JSON, such as ``load/input_speed_rpm``."""
 
-INSTEAD = {"friction": "rollers", "load/output_torque_Nm": "load/input_torque_Nm"}
+PLACES: Needs = ("crankshaft/satellite_positions_mm", "crankshaft/bearing_positions_mm")
+"""Places that a crankshaft needs."""
+
+INSTEAD = {
+    "friction": "rollers",
+    "load/output_torque_Nm": "load/input_torque_Nm",
+    **dict.fromkeys(("pin/satellite_positions_mm", *PLACES), "build"),
+}
 """Parts of a document that stand for others: rollers have friction."""
 
 TOUCHING: Needs = ("contact/pin_radius_mm", "contact/contact_length_mm")
@@ -54,6 +63,7 @@ FORCES = frozenset(
         "pin",
         "rollers",
         "gear",
+        "build",
     )
 )
 """Sections on which forces on pins and ring depend."""
@@ -114,6 +124,13 @@ class DocumentFields(SectionedFields, sections=KINDS):
             raise field_error("load/application_factor", "only_one", field="dynamic_factor")
         return self
 
+    @model_validator(mode="after")
+    def _pins_have_a_span(self) -> Self:
+        held = self.pin and self.pin.support != "cantilever"
+        if held and not (self.says("pin/span_mm") or self.says("build")):
+            raise field_error("pin/span_mm", "needed_beside", field="support")
+        return self
+
     @property
     def older_factor(self) -> float | None:
         """Application factor where requests of before had it, beside the contact."""
@@ -121,7 +138,8 @@ class DocumentFields(SectionedFields, sections=KINDS):
 
     def needs(self) -> Needs:
         """Fields that the calculation needs, also of sections that are given."""
-        of_given = (needed for name, needed in self.NEEDED_OF.items() if self.says(name))
+        parts = {"crankshaft": PLACES} | self.NEEDED_OF
+        of_given = (needed for name, needed in parts.items() if self.says(name))
         return (*self.NEEDS, *chain.from_iterable(of_given))
 
     def has(self, part: str) -> bool:
@@ -161,6 +179,17 @@ class DocumentFields(SectionedFields, sections=KINDS):
                         given if isinstance(given, str) else given.model_dump(exclude_none=True)
                     )
                     yield ("pin", "material"), values
+        usual: dict[str, Any] = {}
+        with suppress(CalculationError):  # a solution is asked for a size that makes no design yet
+            usual = self.design.usual_build if self.builds else usual
+        for name, value in usual.items():
+            path = tuple(map(str, self.path_of(name)))
+            yield path, from_si(path[-1], value)
+
+    @property
+    def builds(self) -> bool:
+        """True if the answer states usual sizes of housing and carrier."""
+        return self.says("build") and "build" in self.uses
 
     def notices(self) -> tuple[Notice, ...]:
         """Notices of used sections, and of a ratio that no cycloid disc with one lobe less has."""

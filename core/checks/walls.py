@@ -15,7 +15,7 @@ from core.checks.check import (
     judged_by,
 )
 from core.checks.teeth import NOT_OF
-from core.design.document import Design, value_at
+from core.design.document import Design
 from core.design.results import Results
 from core.errors import NotKnown, required
 from core.output.fit import FITS
@@ -37,6 +37,16 @@ _WIDE: dict[str, Any] = {"unit": "mm", "keep": "above"}
 _mechanism = Element("mechanism", "contact")
 _placed = Element("geometry", "contact", "touching load", **_WIDE)
 _body = Element("body", "body", "touching load satellite_body", **_WIDE)
+_outside = Element(
+    "build",
+    "body",
+    "touching load satellite_body",
+    unit="mm",
+    keep="below",
+    asked_alone=True,
+    source="build",
+    why="Otherwise the reducer does not fit into the space that is asked.",
+)
 
 
 @_mechanism(
@@ -248,22 +258,47 @@ def wall_bore(kind: Kind, design: Design, results: Results) -> Check:
     return _thick(kind, design, design.pin_circle_radius - size - bore, size)
 
 
-@_body(
+@_outside(
     "outer_diameter",
-    title="Diameter of the space of the satellites",
-    formula="2·(r_o + e) ≤ D_max",
-    why="Otherwise the satellites do not fit into the space that is asked.",
-    inputs="satellite_body.outer_radius contact.eccentricity requirements.max_outer_diameter",
-    fixes="satellite_body.outer_radius",
-    keep="below",
+    title="Outer diameter",
+    formula="D ≤ D_max",
+    inputs=(
+        "build.housing_diameter build.carrier_diameter gear.kind gear.ring_pin_circle_radius",
+        "gear.ring_pin_radius gear.module gear.teeth_difference gear.ring_profile_shift",
+        "mechanism.ratio satellite_body.outer_radius contact.eccentricity",
+        "load.pin_circle_radius pin.diameter contact.pin_radius requirements.max_outer_diameter",
+    ),
+    fixes=(
+        "gear.ring_pin_circle_radius gear.module satellite_body.outer_radius",
+        "load.pin_circle_radius",
+    ),
     asks="max_outer_diameter",
-    asked_alone=True,
 )
 def outer_diameter(kind: Kind, design: Design, results: Results) -> Measure:
-    """Diameter of the circle in which a satellite moves."""
-    path = "satellite_body.outer_radius"
-    radius: float = required(value_at(design, path), "size_missing", path)
-    return Measure(2 * (radius + design.known_eccentricity))
+    """Diameter of ring housing or carrier, the larger one."""
+    return Measure(design.outermost[0])
+
+
+@_outside(
+    "length",
+    title="Length",
+    formula="L ≤ L_max",
+    inputs=(
+        "mechanism.satellites contact.contact_length pin.contact_length pin.satellite_positions",
+        "pin.support pin.span pin.diameter contact.pin_radius build.gap build.carrier_width",
+        "build.second_carrier_width build.housing_width crankshaft.satellite_positions",
+        "crankshaft.bearing_positions crankshaft.bearings requirements.max_length",
+    ),
+    fixes=(
+        "build.carrier_width build.second_carrier_width contact.contact_length build.gap",
+        "contact.pin_radius",
+    ),
+    asks="max_length",
+    only_asked=True,
+)
+def length(kind: Kind, design: Design, results: Results) -> Measure:
+    """Length over carrier, ring housing and bearings of the crankshaft."""
+    return Measure(design.extent[0])
 
 
 @Element("gear", "body", "touching load gear", **_WIDE)(
@@ -320,4 +355,4 @@ def ring_pin_room(kind: Kind, design: Design, results: Results) -> Check:
 
 FITTED = (dead_centre, assembly, interference)
 LAYOUT = (wall_holes, pins_apart, holes_off_centre)
-BODY = (wall_rim, wall_bore, outer_diameter)
+BODY = (wall_rim, wall_bore, outer_diameter, length)

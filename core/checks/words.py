@@ -18,6 +18,7 @@ GROUPS = {
     "bearing": "Bearings of the satellites",
     "crankshaft": "Crankshaft",
     "body": "Satellite",
+    "build": "Housing and carrier",
     "rollers": "Rollers",
     "lines": "Contact lines",
     "shaft": "Bending of the shaft",
@@ -42,6 +43,7 @@ CHECK_SOURCES = {
     "hertz": "Johnson, Contact Mechanics, 4.2: Hertz asks for a narrow contact",
     "iso_281_life": "ISO 281:2007, with the ratings that were given",
     "iso_76_rating": "ISO 76: the rating is the load that dents by 1e-4 of a rolling element",
+    "build": "geometry; rules of thumb for the sizes of housing and carrier that are not given",
     "first_yield": "calculated: largest equivalent stress (Mises) below a sliding line contact, by "
     "McEwen's stresses in Johnson, Contact Mechanics, 4.2 and 7.1; the least strength of its "
     "sources, or the one that was given",

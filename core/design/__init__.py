@@ -9,6 +9,7 @@ tolerances          tolerances of the parts, by values, classes, a fit or a proc
 contact             pins in holes: sizes, clearance or fit, materials
 sections            mechanism, load, pin, ..., requirements: each as far as it is given
 ring                teeth or pins of the ring
+layout              places along the axis, outer sizes, usual sizes of carrier and housing
 document            the design made of these sections, paths in it, copies with other values
 stated              the design of what a document states, with usual values and those of tables
 refusals            refusals of calculations that name the field with its section

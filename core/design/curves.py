@@ -103,8 +103,7 @@ def design_reactions(*, results: Results, crank_angle: FloatArray) -> ReactionCu
         reaction_curves(
             loads=each,
             crank_angles=cranks,
-            satellite_positions=shaft.satellite_positions,
-            bearing_positions=shaft.bearing_positions,
+            **shaft.places,
             unbalanced=np.array(spun.reaction) if spun else STILL,
         ).reaction
         for each in _load_curves(results, crank_angle, shares)

@@ -11,10 +11,12 @@ from typing import Annotated, Any, TypeVar, cast
 
 from core.arrays import check_count
 from core.design.contact import Contact, PairSizes, SharedBy
+from core.design.layout import PLACED, Layout
 from core.design.ring import RINGS, CycloidRing, InvoluteRing, Ring, RingBody
 from core.design.sections import (
     USUAL_LIFE,
     USUAL_RELIABILITY,
+    Build,
     DesignPin,
     FatigueBasis,
     Friction,
@@ -105,7 +107,7 @@ def mechanism_of(given: MechanismSection) -> Mechanism:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Design:
+class Design(Layout):
     """Crank-planetary reducer, as far as it is given.
 
     A section that is not given is false, and reading from it raises `NotKnown`. Where a document
@@ -117,7 +119,8 @@ class Design:
         If sections contradict each other: the peak torque is below the working torque, the
         load-sharing factor is below 1 or gives a satellite more than the whole torque, satellites
         overlap or lie differently on pins and crankshaft, a pin is thicker than the surface that
-        touches the hole, or rollers or ring pins do not fit.
+        touches the hole, rollers or ring pins do not fit, or housing or carrier are smaller than
+        what they hold.
     """
 
     mechanism: MechanismSection  # pins, satellites, cranks, ratio
@@ -139,11 +142,14 @@ class Design:
     bearing: RollingBearing = not_given("bearing")  # satellite bearing on the crank
     crankshaft: Shaft = not_given("crankshaft")  # places of satellites and bearings
     satellite_body: SatelliteBody = not_given("satellite_body")
+    build: Build = not_given("build")  # carrier and housing around the discs
     temperatures: Temperatures = not_given("temperatures")
     tolerances: ToleranceSection = not_given("tolerances")  # of pieces, for studies
     requirements: Requirements = Requirements()
 
     def __post_init__(self) -> None:
+        self._follow()
+        self._check_build()
         self._check_peak()
         self._check_distribution()
         self._check_places()
@@ -155,6 +161,26 @@ class Design:
             self.bearing.check_sizes("bearing")
         for index, each in enumerate(self.crankshaft.bearings if self.crankshaft else ()):
             each.check_sizes(f"crankshaft.bearings[{index}]")
+
+    def _follow(self) -> None:
+        """Set the places that follow from `build`, as far as they are known."""
+        for path in self.stated_build.follows:
+            name, field = path.split(".")
+            section: Any = getattr(self, name)
+            with suppress(NotKnown):
+                value = getattr(self, PLACED[path])
+                object.__setattr__(self, name, section and replace(section, **{field: value}))
+
+    def _check_build(self) -> None:
+        """Refuse a housing smaller than the ring, and a carrier smaller than the pin circle."""
+        least = {
+            "housing_diameter": lambda: 2 * self.ring_reach,
+            "carrier_diameter": lambda: 2 * self.pin_circle_radius + self.pin_diameter,
+        }
+        for name, calculate in least.items():
+            given, limit = getattr(self.stated_build, name), if_known(calculate)
+            if given and limit and given < limit * (1 - AS_TYPED):
+                raise InvalidInput(f"build.{name}", given, "greater_than_equal", limit=limit)
 
     def _check_places(self) -> None:
         """Refuse satellites that overlap, or whose distances on pins and crankshaft differ; the
@@ -513,12 +539,6 @@ class Design:
         return required(mass, "mass_unknown", "crankshaft.satellite_mass")
 
     @property
-    def known_eccentricity(self) -> float:
-        """Eccentricity, m; `NotKnown` if it is not given."""
-        given = self.contact.eccentricity if self.contact else None
-        return required(given, "eccentricity_assumed", "contact.eccentricity")
-
-    @property
     def known_clearance(self) -> float:
         """Radial clearance, m; `NotKnown` if it is not stated or the eccentricity is not given."""
         clearance = self.clearance
@@ -541,11 +561,6 @@ class Design:
     def output_torque(self) -> float:
         """Torque of the output, N*m; `NotKnown` if it is not given."""
         return required(self.load.output_torque, "size_missing", "load.output_torque")
-
-    @property
-    def pin_circle_radius(self) -> float:
-        """Radius of the circle of pin centres, m; `NotKnown` if it is not given."""
-        return required(self.load.pin_circle_radius, "size_missing", "load.pin_circle_radius")
 
     @property
     def members(self) -> Members:
@@ -638,9 +653,9 @@ class Design:
         return USUAL_LIFE / (10 if plastic else 1) if own is None else own
 
     @property
-    def usual(self) -> dict[str, float]:
+    def usual(self) -> dict[str, Any]:
         """Usual values, by path in SI units, of fields that are not given and have no default."""
-        found, fatigue = {"requirements.life": self.life}, self.fatigue
+        found, fatigue = self.usual_build | {"requirements.life": self.life}, self.fatigue
         if fatigue and fatigue.reliability_factor is None and fatigue.endurance_limit is None:
             found["fatigue.reliability_percent"] = USUAL_RELIABILITY
         if self.gear and self.gear.kind == "involute":
@@ -776,14 +791,6 @@ class Design:
             low, high = self.roots
             circle = (low or high) + (self.contact.eccentricity or 0.0)
         return WALL_GUIDE * 2 * circle if math.isfinite(circle) else None
-
-    @property
-    def pin_length(self) -> float:
-        """Contact length along the pin, m."""
-        length = self.pin.contact_length if self.pin else None
-        if length is None:
-            length = required(self.contact.contact_length, "section_missing", "contact")
-        return length
 
     @property
     def sleeved(self) -> bool:

@@ -76,6 +76,10 @@ class AnyRing:
         """Least and largest root radius of a satellite's teeth, m; 0 and infinite if not known."""
         return 0.0, math.inf
 
+    def reach(self, ratio: float) -> float | None:
+        """Radius that pins or teeth of the ring take, m; None without them."""
+        return None
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ToothedRing(AnyRing):
@@ -274,6 +278,10 @@ class CycloidRing(ToothedRing):
         root = swept - self.ring_pin_radius - self.changed.equidistant
         return root, root
 
+    def reach(self, ratio: float) -> float:
+        """Radius at the outside of the ring pins, m; `NotKnown` without a ring pin radius."""
+        return self.ring_pin_circle_radius + self.known_pin_radius
+
     def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
         """Force of the ring pins on a satellite; eccentricity in m."""
         return cycloid_mesh(
@@ -456,6 +464,16 @@ class InvoluteRing(ToothedRing):
             return least, reference
         root = least + self.satellite_profile_shift * self.module
         return root, root
+
+    def reach(self, ratio: float) -> float:
+        """Usual radius at the roots of the ring's teeth, m: ``m*(z3/2 + 1.25 + x)``; an unknown
+        profile shift x counts as 0.
+
+        >>> InvoluteRing(module=4e-3, teeth_difference=2).reach(ratio=20.0)
+        0.089
+        """
+        shift = self.ring_profile_shift or 0.0
+        return self.module * (self.teeth_difference * (ratio + 1) / 2 + DEDENDUM + shift)
 
     def mesh(self, *, eccentricity: float, ratio: float) -> RingMesh:
         """Force of the ring's teeth on a satellite; eccentricity in m."""

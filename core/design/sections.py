@@ -209,6 +209,36 @@ class SatelliteBody:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Build:
+    """Carrier and ring housing around the discs, as far as they are given. Sizes that are not given
+    are usual ones, rules of thumb; places of satellites and bearings on pins and crankshaft, and
+    the span of the pins, follow where they are not given.
+    """
+
+    gap: float | None = optional_size("Gap beside the discs", "g", "mm", step=0.5)
+    """Gap between two discs, and between a disc and a plate of the carrier; if not given 0.1 of the
+    width of a disc, from 0.5 to 2 mm."""
+    carrier_width: float | None = optional_size("Width of the carrier", "b_c", "mm", step=1)
+    """Width of the plate of the carrier that holds the pins; if not given 1.2 pin diameters, at
+    least 3 mm and the width of the crankshaft's first bearing."""
+    second_carrier_width: float | None = optional_size(
+        "Width of the second plate", "b_c2", "mm", step=1
+    )
+    """Width of the second plate, or of the tie ring, at the other ends of the pins; usual as that
+    of the first one. Pins that are a cantilever have none."""
+    carrier_diameter: float | None = optional_size("Carrier diameter", "D_c", "mm", step=1)
+    """Outer diameter of the carrier; if not given that of the pin circle and two pin diameters."""
+    housing_diameter: float | None = optional_size("Housing diameter", "D_h", "mm", step=1)
+    """Outer diameter of the ring housing; if not given 1.1 times that of the ring at its pins or
+    roots, with a wall of at least 3 mm, rounded up to whole millimetres."""
+    housing_width: float | None = optional_size("Housing width", "b_h", "mm", step=1)
+    """Width of the ring housing, about the middle of the discs; if not given the discs with the
+    gaps between and beside them."""
+    # Paths of what follows from these sizes, in an order in which each needs those before.
+    follows: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Temperatures:
     """Temperatures of the parts at work, by which plastics are judged."""
 
@@ -286,7 +316,9 @@ class Requirements:
     )
     """Largest speed at which pins slide in the holes, or in their sleeves."""
     max_outer_diameter: float | None = optional_size("Largest diameter", "D_max", "mm", step=5)
-    """Largest diameter of the space in which the satellites move."""
+    """Largest outer diameter of the reducer: of ring housing and carrier."""
+    max_length: float | None = optional_size("Largest length", "L_max", "mm", step=5)
+    """Largest length of the reducer, without motor, bearing of the output and seals."""
     max_unbalance: float | None = optional_size("Largest unbalanced force", "F_U", "N", step=10)
     """Largest unbalanced centrifugal force of the parts that turn with the crankshaft."""
     max_unbalance_couple: float | None = optional_size(
@@ -315,9 +347,9 @@ class DesignPin(PinSupport):
     KIND: ClassVar[str] = "support"
     KINDS: ClassVar[Kinds] = {
         "cantilever": ((), ("span",)),
-        "supported": (("span",), ()),
-        "fixed": (("span",), ()),
-        "tie_ring": (("span",), ("ring_joint",)),
+        "supported": ((), ("span",)),
+        "fixed": ((), ("span",)),
+        "tie_ring": ((), ("span", "ring_joint")),
     }
 
     contact_length: float | None = optional_size("Contact length", "b", "mm", step=1)
@@ -668,15 +700,23 @@ class Shaft:
         "Places of the satellites",
         "z₁ … z_K",
         "mm",
+        default=(),
         lengths=((1, MAX_SATELLITES),),
         ge=-LARGEST,
         le=LARGEST,
     )
-    """Middle plane of each satellite along the shaft."""
-    bearing_positions: tuple[float, float] = quantity(
-        "Places of the bearings", "A, B", "mm", lengths=((2, 2),), ge=-LARGEST, le=LARGEST
+    """Middle plane of each satellite along the shaft; beside `build` it follows if not given."""
+    bearing_positions: tuple[float, ...] = quantity(
+        "Places of the bearings",
+        "A, B",
+        "mm",
+        default=(),
+        lengths=((2, 2),),
+        ge=-LARGEST,
+        le=LARGEST,
     )
-    """Position of both bearings along the shaft, ascending; satellites may lie beyond them."""
+    """Position of both bearings along the shaft, ascending; satellites may lie beyond them. Beside
+    `build` they follow if not given."""
     satellite_mass: float | None = optional_size("Mass of a satellite", "m", "kg", step=0.1)
     """Mass of one satellite with its bearing; without it the balance is not calculated, and
     bearings carry no centrifugal forces."""
@@ -695,6 +735,14 @@ class Shaft:
     """Diameter of the shaft between the eccentrics and in its bearings."""
     bearings: tuple[SeatedBearing, ...] = quantity(default=(), lengths=((2, 2),))
     """Both bearings of the crankshaft; ball bearings in the housing if not given."""
+
+    @property
+    def places(self) -> dict[str, Any]:
+        """Places of satellites and bearings by their names; `NotKnown` without them."""
+        return {
+            name: required(getattr(self, name) or None, "size_missing", f"crankshaft.{name}")
+            for name in ("satellite_positions", "bearing_positions")
+        }
 
     @property
     def known_bearings(self) -> tuple[SeatedBearing, ...]:

@@ -12,6 +12,7 @@ from core.arrays import check_count
 from core.bearings import BEARINGS, named_bearing, names_like
 from core.design.contact import Contact
 from core.design.document import KINDS, Design
+from core.design.layout import PLACED
 from core.design.ring import CycloidRing, InvoluteRing
 from core.design.sections import MAX_PAIRS, USUAL_SATELLITES, MechanismSection, Rollers
 from core.errors import InvalidInput, NotKnown, required, within
@@ -229,6 +230,14 @@ def _law(contact: Contact | None) -> Any:
     return usual_law(pin=pin, hole=hole)
 
 
+def _follows(stated: Mapping[str, Values]) -> tuple[str, ...]:
+    """Paths of the places that follow from `build`, as they are not stated."""
+    places = [(path, *path.split(".")) for path in PLACED]
+    found = [path for path, name, field in places if name in stated and field not in stated[name]]
+    ends = stated.get("pin", {}).get("support", "cantilever") != "cantilever"
+    return tuple(path for path in found if ends or path != "pin.span")
+
+
 def _of_design(name: str, stated: Mapping[str, Values], made: Mapping[str, Any]) -> Any:
     """Section of the design, with what follows from other sections, of which some are made."""
     own, kind = {**stated[name]}, KINDS[name]
@@ -241,6 +250,8 @@ def _of_design(name: str, stated: Mapping[str, Values], made: Mapping[str, Any])
         )
     if name == "pin":
         own = _pin(own, made)
+    if name == "build":
+        own["follows"] = _follows(stated)
     difference = teeth_difference(stated["mechanism"])
     if name == "gear" and difference is not None:
         own["teeth_difference"] = difference
@@ -298,6 +309,11 @@ def _refuse_contradictions(stated: Mapping[str, Values]) -> None:
                 raise InvalidInput(f"contact.{size}", None, "needed_beside", field=hole)
     if friction.get("sleeve") and "pin" not in stated:
         raise InvalidInput("pin", None, "needed_beside", field="sleeve")
+    second = stated.get("build", nothing).get("second_carrier_width")
+    pin = stated.get("pin")
+    if second and pin is not None and pin.get("support", "cantilever") == "cantilever":
+        more = {"kind": "cantilever"}
+        raise InvalidInput("build.second_carrier_width", second, "of_another_kind", **more)
     _refuse_members(stated)
     _refuse_ring(stated)
 

@@ -153,7 +153,8 @@ def _reaction(sheet: Sheet, results: Results, i: int) -> None:
     if design.disc_factor != 1 or design.mechanism.satellites > MOST_SATELLITES:
         return
     shaft, still = design.crankshaft, balance.reaction[i] if balance else 0j
-    arms = carried(positions=shaft.satellite_positions, bearings=shaft.bearing_positions)[i]
+    bearings = shaft.places["bearing_positions"]
+    arms = carried(positions=shaft.satellite_positions, bearings=bearings)[i]
     cranks, loads = _loads(results, arms, still)
     whole = complex(arms * np.exp(1j * np.array(cranks)) @ loads) + still
     _take_cranks(sheet, cranks)

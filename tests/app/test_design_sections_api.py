@@ -37,6 +37,7 @@ DESIGN = {
         "bearing_positions_mm": [0.0, 62.0],
         "satellite_mass_kg": 1.5,
     },
+    "build": {"gap_mm": 2.0},
 }
 STRENGTH = ("pin_strength", "output_efficiency", "satellite_bearing", "crankshaft")
 
@@ -50,6 +51,7 @@ FORCES = (
     "crank_support",
     "satellite_coupling",
     "pin",
+    "build",
 )
 OWN = {
     "pin_strength": (*FORCES, "fatigue"),

@@ -24,6 +24,7 @@ from core.design.results import Results
 from core.design.ring import CycloidRing
 from core.design.ring_results import RingResults
 from core.design.sections import (
+    Build,
     FatigueBasis,
     Friction,
     Requirements,
@@ -31,6 +32,7 @@ from core.design.sections import (
     RollingBearing,
     SatelliteBody,
     SeatedBearing,
+    Shaft,
     Temperatures,
 )
 from core.errors import CalculationError, if_known
@@ -90,6 +92,7 @@ ALL = having(
     max_slope=5e-3,
     max_deflection=1e-4,
     max_outer_diameter=0.3,
+    max_length=0.1,
     max_unbalance=100.0,
     max_unbalance_couple=10.0,
     static_safety=1.5,
@@ -516,6 +519,56 @@ DESIGNS |= {
     ),
 }
 
+SPACE = having(
+    WHOLE,
+    scope=("body",),
+    fatigue=None,
+    friction=None,
+    bearing=None,
+    pin=replace(WHOLE.pin, diameter=0.014),
+    outer_radius=0.068,
+    min_wall=1e-3,
+    max_outer_diameter=0.3,
+    max_length=0.2,
+)
+"""Outer sizes alone."""
+DESIGNS |= {
+    "a housing of involute teeth": having(
+        SPACE,
+        crankshaft=None,
+        pin_circle_radius=0.02,
+        gear=replace(INVOLUTE, ring_profile_shift=0.6065),  # just below a whole millimetre
+    ),
+    "a wide carrier of bare pins": having(
+        SPACE,
+        gear=None,
+        pin=None,
+        pin_circle_radius=0.08,
+        satellites=1,
+        crankshaft=Shaft(
+            satellite_positions=(0.02,),
+            bearing_positions=(-0.005, 0.08),
+            bearings=(SeatedBearing(kind="ball", width=0.01),) * 2,
+        ),
+    ),
+    "a housing of bare satellites": having(SPACE, gear=None, crankshaft=None),
+    "plates of the carrier": having(
+        SPACE,
+        crankshaft=None,
+        pin=replace(ALL.pin, span=0.055),  # type: ignore[type-var]
+        build=Build(
+            gap=0.003, carrier_width=0.012, second_carrier_width=0.011, carrier_diameter=0.2
+        ),
+    ),
+    "gaps beside the discs": having(
+        SPACE,
+        crankshaft=None,
+        pin=replace(WHOLE.pin, diameter=0.014, contact_length=0.018),
+        build=Build(gap=0.003, housing_diameter=0.2),
+    ),
+    "a wide housing": having(SPACE, crankshaft=None, build=Build(housing_width=0.15)),
+}
+
 OF_DISCS = ("eccentricity", "disc_phase")
 OF_CRANKS = {"eccentricity": (4e-6,), "disc_phase": (1e-4,)}
 OF_PINS = {"pin_radial": (8e-6,), "pin_radius": (1e-6, -2e-6)}
@@ -591,7 +644,7 @@ OF_MADE = ("deviations", "crank_support")
 WHOLES = (*MATERIALS_OF, "gear.contact_law", "contact_law", "pin.bolt", *OF_MADE)
 """The same, laws of contact, a bolt, deviations and what gives."""
 
-OTHERS = {"reverse": "driving", "supported": "fixed"}
+OTHERS = {"reverse": "driving", "supported": "fixed", "cantilever": "fixed"}
 """Of what is one of some values another one."""
 
 SAME = 1e-6

@@ -292,7 +292,7 @@ def test_the_limit_of_a_check_is_known_without_its_value() -> None:
     assert (found["bearing_static"].status, found["bearing_static"].limit) == ("not_checked", 1.0)
 
 
-def test_the_space_of_the_satellites_is_checked_of_any_design_where_it_is_asked() -> None:
+def test_outer_sizes_are_checked_of_any_design_where_they_are_asked() -> None:
     mechanism = having(REF, contact=None, load=None, satellite_body=None)
     assert "outer_diameter" not in crank_codes(mechanism)
     codes = crank_codes(having(mechanism, max_outer_diameter=0.3))
