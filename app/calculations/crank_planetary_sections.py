@@ -533,7 +533,7 @@ ANSWERS: dict[Section, Answer] = {
     "geometry": _geometry,
     "usual_fit": _usual_fit,
     "usual_modification": _usual_modification,
-    "envelope": lambda body: EnvelopeOut.values(body.design.envelope),
+    "envelope": lambda body: EnvelopeOut.values(*timed(lambda: body.design.envelope)),
 }
 """Answers of the sections, in their order; checks and fixes belong to the verdict."""
 

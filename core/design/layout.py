@@ -7,14 +7,15 @@ z grows towards the discs. Usual sizes are rules of thumb for a first drawing; n
 import math
 from dataclasses import dataclass, fields
 from functools import partial
+from itertools import chain
 from typing import Any, Literal
 
 from core.design.contact import Contact
 from core.design.ring import Ring
 from core.design.sections import Build, DesignPin, Load, MechanismSection, SatelliteBody, Shaft
-from core.errors import if_known, required
+from core.errors import Accuracy, if_known, required
 from core.fields import answer
-from core.precision import AS_TYPED
+from core.precision import AS_TYPED, ROUNDING
 
 GAP, GAPS = 0.1, (0.5e-3, 2e-3)
 """Usual gap beside a disc over the width of the disc, and its least and largest value, m."""
@@ -51,6 +52,7 @@ class Envelope:
     and those bearings of the crankshaft whose width is given."""
     of: tuple[BuildPart, ...] = answer()
     """Parts that state the diameter, the end at the carrier and the other end, in this order."""
+    accuracy: Accuracy = answer()
 
 
 class Layout:
@@ -256,14 +258,19 @@ class Layout:
     @property
     def extent(self) -> tuple[float, BuildPart, BuildPart]:
         """Length, m, and the parts that state the end at the carrier and the other end."""
-        ends = self.ends  # compared in nm, so that rounding names no bearing flush with its plate
+        ends = self.ends
+        lows, highs = zip(*ends.values(), strict=True)
+        # parts are compared in nm, so that rounding names no bearing that is flush with its plate
         first = min(ends, key=lambda each: round(ends[each][0], 9))
         last = max(ends, key=lambda each: round(ends[each][1], 9))
-        return ends[last][1] - ends[first][0], first, last
+        return max(highs) - min(lows), first, last
 
     @property
     def envelope(self) -> Envelope:
         """Outer sizes of the reducer."""
         diameter, part = self.outermost
         length, *of = self.extent
-        return Envelope(diameter, length, (part, *of))
+        on_shaft = self.crankshaft.satellite_positions if self.crankshaft else ()
+        farthest = max(map(abs, (*on_shaft, *chain(*self.ends.values()))))
+        error = 8 * ROUNDING * max(farthest / length, 1.0)
+        return Envelope(diameter, length, (part, *of), Accuracy("closed_form", error, 1))

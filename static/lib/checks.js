@@ -210,7 +210,8 @@ export function assumedIn({ assumed = [] }) {
     const [name, part] = pointer.split("/").filter((each) => !/^\d+$/.test(each)).reverse();
     const group = part === "bearings" ? "bearing" : part; // of the list of those of the shaft
     const between = low === undefined ? "" : ` (${formatNumber(low)}\u2013${formatNumber(high)})`;
-    const shown = typeof value === "number" ? formatQuantity(value, unitOf(name)) + between : said("materials", value) ?? message("option")[value] ?? "";
+    const numbers = [value].flat().filter((one) => typeof one === "number");
+    const shown = numbers.length > 0 ? numbers.map((one) => formatQuantity(one, unitOf(name))).join("; ") + between : said("materials", value) ?? message("option")[value] ?? "";
     const words = { title: fieldWords(name, group)?.title ?? name, value: shown };
     if (!without) return message("checks.assumedOne", words);
     return message("checks.assumedWithout", { ...words, force: formatQuantity(without.peak_force_N, "N") });

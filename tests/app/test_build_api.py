@@ -29,6 +29,7 @@ REDUCER: dict[str, Any] = {
     "crankshaft": {},
     "build": {},
 }
+ENVELOPE = ("outer_diameter_mm", "length_mm", "of")
 FOLLOWED = {
     "/pin/satellite_positions_mm": [12.0, 34.0],
     "/pin/span_mm": 46.0,
@@ -53,7 +54,7 @@ async def test_places_follow_and_are_said(api: Any) -> None:
     answer = await api.answer(PATH, REDUCER)
     said = assumed(answer)
     assert {pointer: said[pointer] for pointer in USUAL | FOLLOWED} == USUAL | FOLLOWED
-    assert answer["envelope"] == {
+    assert {name: answer["envelope"][name] for name in ENVELOPE} == {
         "outer_diameter_mm": 152.0,
         "length_mm": pytest.approx(74.8, rel=EXACT),
         "of": ["housing", "carrier", "second_carrier"],
@@ -110,7 +111,7 @@ async def test_the_envelope_without_a_section(api: Any) -> None:
         "include": ["envelope"],
     }
     answer = await api.answer(PATH, body)
-    assert answer["envelope"] == {
+    assert {name: answer["envelope"][name] for name in ENVELOPE} == {
         "outer_diameter_mm": 150.0,
         "length_mm": pytest.approx(65.2, rel=EXACT),
         "of": ["housing", "carrier", "housing"],

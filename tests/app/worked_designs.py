@@ -295,7 +295,14 @@ REQUESTS: dict[str, tuple[str, dict[str, Any]]] = {
         {name: part for name, part in INVOLUTE.items() if name != "contact"},
     ),
     "teeth": ("crank-planetary", TEETH),
-    "loose": ("crank-planetary", LOOSE),
+    "loose": (
+        "crank-planetary",
+        LOOSE
+        | {
+            "satellite_body": {"outer_radius_mm": 60.0},
+            "include": [*LOOSE["include"], "envelope"],
+        },
+    ),
     "equal": ("crank-planetary", EQUAL),
     "bare": ("crank-planetary", BARE_4000),
     "short life": ("crank-planetary", _design(BARE, 5.0)),

@@ -511,6 +511,20 @@ test("a pin has one material, unless it was typed apart", () => {
   assert.deepEqual(Object.keys(WANTED.find(({ id }) => id === "strength").starts({})), ["fatigue.reliability_percent"]);
 });
 
+test("what is typed of housing and carrier is asked for, and places follow the gap", async () => {
+  const build = { gap_mm: 3 };
+  const input = inputOf({ mechanism: { satellites: 2 }, contact: { contact_length_mm: 20 }, build });
+  assert.deepEqual(wantedSections(input), ["envelope"]);
+  assert.deepEqual(documentOf(input).build, build);
+  assert.deepEqual(documentOf({ ...input, besides: { housing: { on: "on" } } }).build, {});
+  const { follows } = WANTED.find(({ id }) => id === "strength").fields["pin.satellite_positions_mm"];
+  assert.deepEqual([follows(input), follows({ ...input, besides: { build } })], [[13, 36], [12, 34]]);
+  const { cells } = await import("../../static/calculators/crank-planetary/housing.js");
+  const [around, along] = cells({ outer_diameter_mm: 152, length_mm: 74.8, of: ["housing", "carrier", "bearing_b"] });
+  assert.match(`${around.value} ${around.note}`, /152.*Ring housing/);
+  assert.match(`${along.value} ${along.note}`, /74\.8.*Carrier; Bearing B/);
+});
+
 test("rollers say load, life and safety, and what they lack", async () => {
   const { cells } = await import("../../static/calculators/crank-planetary/pin_rollers.js");
   const found = { equivalent_load_N: 33.55, peak_load_N: 56.25, satellite: 1, pin: 2 };

@@ -178,7 +178,7 @@ export default {
     pins: ["mechanism.pins", "load.pin_circle_radius_mm", "contact.pin_radius_mm", "play", "contact.hole_radius_mm", "contact.contact_length_mm"],
     load: ["torque", "load.torque_direction", "load.application_factor", "load.input_speed_rpm", "load.peak_torque_Nm", "load.peak_kind"],
     materials: ["contact.pin_material", "contact.hole_material"],
-    requirements: ["scope", "life_h", "pitting_safety", "min_wall_mm", "max_outer_diameter_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
+    requirements: ["scope", "life_h", "pitting_safety", "min_wall_mm", "max_outer_diameter_mm", "max_length_mm", "max_backlash_arcmin", "max_lost_motion_arcmin"].map((name) => `requirements.${name}`),
     satellite_body: [
       ...["outer", "root", "bore"].map((name) => `satellite_body.${name}_radius_mm`),
       "satellite_body.solid_wall_mm", "temperatures.satellite_C", "temperatures.pins_C",

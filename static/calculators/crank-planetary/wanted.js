@@ -84,7 +84,7 @@ const asked = (...names) => each("requirements", rare, ...names);
 const bolted = { ...rare, when: ["strength.bolt", "bolted"] };
 const STRENGTH = {
   "pin.support": {},
-  "pin.satellite_positions_mm": { required: true, follows: (input) => planes(input, GAP) },
+  "pin.satellite_positions_mm": { required: true, follows: (input) => planes(input, gapOf(input)) },
   "pin.span_mm": { when: ["pin.support", "supported", "fixed", "tie_ring"], required: true },
   "pin.ring_joint": { when: ["pin.support", "tie_ring"], default: "pinned" },
   "pin.material": { without: ["allowable_pressure_MPa", "life_curve", "long_term_factor"] },
@@ -183,13 +183,18 @@ const CRANK = {
   ...asked("max_unbalance_N", "max_unbalance_couple_Nm", "max_unbalance_share", "balance_grade_mm_per_s"),
 };
 
+const HOUSING = each("build", {}, "gap_mm", "carrier_width_mm", "second_carrier_width_mm", "carrier_diameter_mm", "housing_diameter_mm", "housing_width_mm");
+
 const GAP = 2; // mm between satellites, and before the first
 const USUAL_RPM = 1500;
 const MODULES = [0.5, 0.8, 1, 1.25, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 8, 10];
 
+/** The gap between satellites: as it is typed, or usual. */
+const gapOf = ({ besides }) => (isOn({ besides }, "housing") && besides.build?.gap_mm) || GAP;
+
 /** Middle planes of satellites beside each other, the first so far from the origin. */
-function planes({ mechanism: { satellites }, contact: { contact_length_mm: width } = {} }, first) {
-  return Array.from({ length: Math.min(satellites, 100) || 0 }, (_, j) => tidy(first + width / 2 + j * (width + GAP)));
+function planes({ mechanism: { satellites }, contact: { contact_length_mm: width } = {}, besides }, first) {
+  return Array.from({ length: Math.min(satellites, 100) || 0 }, (_, j) => tidy(first + width / 2 + j * (width + gapOf({ besides }))));
 }
 
 /**
@@ -239,7 +244,7 @@ function teethTo({ contact: { eccentricity_mm: e } = {}, besides: { gear } }, { 
 
 /** Satellites along the shaft: as far apart as along the pins, where these are given. */
 function onShaft({ mechanism, contact, besides }) {
-  const own = planes({ mechanism, contact }, contact?.contact_length_mm / 2);
+  const own = planes({ mechanism, contact, besides }, contact?.contact_length_mm / 2);
   const along = besides?.pin?.satellite_positions_mm;
   return along?.length === own.length ? along.map((z) => tidy(own[0] + z - Math.min(...along))) : own;
 }
@@ -335,6 +340,12 @@ export const WANTED = [
     fields: CRANK,
     load: () => Promise.all([import("./crank.js"), import("../../views/part.js")]),
   },
+  {
+    id: "housing",
+    section: "envelope",
+    fields: HOUSING,
+    load: () => Promise.all([import("./housing.js"), import("../../views/part.js")]),
+  },
 ];
 
 /**
@@ -385,7 +396,7 @@ export function documentOf({ mechanism, load, contact, besides = {}, ...others }
   const on = (section) => wanted.includes(section) && asked(section);
   const made = isOn({ besides }, "real");
   const { deviations: { pins, holes, cranks, ring_pins: ringPins } = {}, requirements } = besides;
-  const { contact_law: law = {}, satellite_coupling: shared, pin, fatigue, rollers, friction, gear: { kind, ...gear } = {}, bearing, crankshaft } = besides;
+  const { contact_law: law = {}, satellite_coupling: shared, pin, fatigue, rollers, friction, gear: { kind, ...gear } = {}, bearing, crankshaft, build = {} } = besides;
   const deviations = {
     ...(made && { ...listsOf(pins), ...listsOf(holes, bySatellites(mechanism.pins)), ...listsOf(cranks) }),
     ...(on("ring_mesh") && listsOf(ringPins)),
@@ -405,6 +416,7 @@ export function documentOf({ mechanism, load, contact, besides = {}, ...others }
       gear: on("satellite_bearing") && { ...(kind !== "ratio" && { kind }), ...gear },
       bearing: on("satellite_bearing") && bearing,
       crankshaft: on("crankshaft") && crankshaft,
+      build: on("envelope") && build,
       ...others,
       requirements: requirements ? { ...others.requirements, ...requirements } : others.requirements,
     }),
@@ -419,7 +431,7 @@ export function drawnDocument(input, answer, [{ body: { include, ...asked } }]) 
 }
 
 /** What the form shows of a design document: the groups are on whose parts it has; a pin of one material has it in one field. */
-export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bearing, crankshaft, deviations = {}, ...own }) {
+export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bearing, crankshaft, build, deviations = {}, ...own }) {
   const { requirements, contact } = own;
   const ring = Object.entries(deviations).filter(([name]) => name.startsWith("ring_pin_"));
   const count = Math.max(0, ...ring.map(([, { length }]) => length));
@@ -439,6 +451,7 @@ export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bea
       ...((bearing || crankshaft || gear?.modification || shifted(gear)) && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
       ...((gear?.modification || shifted(gear)) && { teeth: on }),
       ...(crankshaft && { crank: on, crankshaft }),
+      ...(build && { housing: on, build }),
       ...(requirements && { requirements }),
     },
   };

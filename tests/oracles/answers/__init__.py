@@ -4,6 +4,7 @@ from tests.oracles.answers.bearings import SATELLITE_BEARING
 from tests.oracles.answers.calculation import Calculation
 from tests.oracles.answers.crank_planetary import CONTACT_FORCE, CYCLOGRAM, GEOMETRY
 from tests.oracles.answers.crankshaft import CRANKSHAFT
+from tests.oracles.answers.envelope import ENVELOPE
 from tests.oracles.answers.fit import FIT
 from tests.oracles.answers.hertz import HERTZ
 from tests.oracles.answers.load_sharing import LOAD_SHARING
@@ -23,6 +24,7 @@ CALCULATIONS: tuple[Calculation, ...] = (
     CONTACT_FORCE,
     CYCLOGRAM,
     GEOMETRY,
+    ENVELOPE,
     HERTZ,
     OUTPUT_EFFICIENCY,
     LOAD_SHARING,
