@@ -36,6 +36,7 @@ from core.ring.sharing import (
 from tests.inputs.classes import play_error
 from tests.inputs.real_mechanisms import STEEL
 from tests.inputs.ring_meshes import drawn
+from tests.inputs.valleys import narrow
 from tests.oracles.ring_distance import Distances
 from tests.oracles.seeds import seeds
 
@@ -72,6 +73,31 @@ def test_what_overlaps_presses(seed: int, exact: bool) -> None:
     gaps = np.array(mesh_gaps(mesh=mesh, crank_angle=angle, rotation=found.rotation))
     force = np.array(found.force)
     assert force == pytest.approx(1e8 * np.maximum(-gaps, 0.0), abs=1e-6 * force.max())
+
+
+def nearly_round(seed: int) -> CycloidMesh:
+    """A mesh of a disc whose valleys are hardly hollow, or not at all."""
+    r = random.Random(seed)
+    lobes = r.randint(3, 9)
+    eccentricity = r.uniform(0.3, 1.2) * 0.05 / (lobes + 1) ** 2
+    return mesh_of(disc=replace(PERFECT, satellite_teeth=lobes, eccentricity=eccentricity))
+
+
+@pytest.mark.parametrize("seed", seeds(24))
+def test_gaps_at_any_lag_are_those_of_the_nearest_points(seed: int) -> None:
+    """In narrow valleys and wide ones, and of discs that are turned further than a lobe."""
+    meshes = (
+        drawn(seed)[0], narrow(seed, "equidistant")[0], narrow(seed, "errors")[0],
+        nearly_round(seed),
+    )  # fmt: skip
+    mesh, r = meshes[seed % 4], random.Random(seed)
+    count, size = len(mesh.crank_angles), mesh.disc.ring_pin_circle_radius
+    for part in np.geomspace(1e-4, 1.6, 12).tolist():
+        angle, half = r.uniform(0, 2 * math.pi), math.pi / mesh.disc.satellite_teeth
+        lag = r.choice((-1, 1)) * part * half
+        gaps = np.array(mesh_gaps(mesh=mesh, crank_angle=angle, rotation=(lag,) * count))
+        approach, _ = Distances(mesh, angle).at(lag)
+        assert gaps == pytest.approx(-approach, rel=0, abs=SAME * size)
 
 
 def test_curves_of_given_shares_are_of_the_lags_of_each_disc() -> None:
