@@ -393,7 +393,7 @@ def value_in(body: Any, path: tuple[str | int, ...]) -> Any:
 
 def places_of(variable: str, body: RequestModel) -> list[tuple[str | int, ...]]:
     """Paths of the fields that a fix of an input sets: those of both bearings of the crankshaft."""
-    section, name = variable.rsplit(".", 1)
+    section, _, name = variable.rpartition(".")
     both = section == "crankshaft.bearings"
     names = [f"{section}[{index}].{name}" for index in (0, 1)] if both else [variable]
     return [path for each in names if (path := body.path_of(each))]
