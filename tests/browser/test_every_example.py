@@ -167,7 +167,10 @@ def the_saved_report_has_them(
 
 def the_print_has_them(page: Page, name: str, said: list[str]) -> None:
     pdf = printed(page)
-    assert 2 <= len(pdf.pages) <= MOST_PAGES, name
+    if len(pdf.pages) > MOST_PAGES:  # once, on a busy machine, in the middle of another answer
+        page.wait_for_timeout(3000)
+        pdf = printed(page)
+    assert 2 <= len(pdf.pages) <= MOST_PAGES, (name, len(pdf.pages))
     text = plain(text_of(pdf))
     assert [words for words in said if plain(words) not in text] == [], name
     page.emulate_media(media="print")
