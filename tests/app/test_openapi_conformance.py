@@ -136,6 +136,7 @@ OF_OTHER_FIELDS = (
     "/pin/contact_length_mm",
     "/pin/diameter_mm",
     "/pin/material",
+    "/pin/span_mm",
     "/pin/support",
     "/satellite_coupling",
     "/tolerances/hole_diameter",
@@ -144,6 +145,8 @@ OF_OTHER_FIELDS = (
 """What another field of the request needs or excludes, by such a rule."""
 
 OF_OTHER_SIZES = (
+    "/build/carrier_diameter_mm",
+    "/build/housing_diameter_mm",
     "/chord_error_mm",
     "/contact_law/reference_depth_mm",
     "/gear/dedendum",
