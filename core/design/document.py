@@ -164,7 +164,7 @@ class Design(Layout):
 
     def _follow(self) -> None:
         """Set the places that follow from `build`, as far as they are known."""
-        for path in self.stated_build.follows:
+        for path in self.build.follows if self.build else ():
             name, field = path.split(".")
             section: Any = getattr(self, name)
             with suppress(NotKnown):
@@ -177,9 +177,10 @@ class Design(Layout):
             "housing_diameter": lambda: 2 * self.ring_reach,
             "carrier_diameter": lambda: 2 * self.pin_circle_radius + self.pin_diameter,
         }
-        for name, calculate in least.items():
-            given, limit = getattr(self.stated_build, name), if_known(calculate)
-            if given and limit and given < limit * (1 - AS_TYPED):
+        for name, calculate in least.items() if self.build else ():
+            given = getattr(self.build, name)
+            limit = if_known(calculate) if given else None
+            if limit and given < limit * (1 - AS_TYPED):
                 raise InvalidInput(f"build.{name}", given, "greater_than_equal", limit=limit)
 
     def _check_places(self) -> None:
@@ -652,10 +653,12 @@ class Design(Layout):
         plastic = any(each.plastic for each in bodies if each is not None)
         return USUAL_LIFE / (10 if plastic else 1) if own is None else own
 
-    @property
+    @cached_property
     def usual(self) -> dict[str, Any]:
         """Usual values, by path in SI units, of fields that are not given and have no default."""
-        found, fatigue = self.usual_build | {"requirements.life": self.life}, self.fatigue
+        asked = self.requirements.max_outer_diameter or self.requirements.max_length
+        found = self.usual_build if self.build or asked else {}
+        found, fatigue = found | {"requirements.life": self.life}, self.fatigue
         if fatigue and fatigue.reliability_factor is None and fatigue.endurance_limit is None:
             found["fatigue.reliability_percent"] = USUAL_RELIABILITY
         if self.gear and self.gear.kind == "involute":
