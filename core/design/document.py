@@ -142,7 +142,7 @@ class Design(Layout):
     bearing: RollingBearing = not_given("bearing")  # satellite bearing on the crank
     crankshaft: Shaft = not_given("crankshaft")  # places of satellites and bearings
     satellite_body: SatelliteBody = not_given("satellite_body")
-    build: Build = not_given("build")  # carrier and housing around the discs
+    build: Build = Build()  # carrier and housing around the discs
     temperatures: Temperatures = not_given("temperatures")
     tolerances: ToleranceSection = not_given("tolerances")  # of pieces, for studies
     requirements: Requirements = Requirements()
@@ -164,7 +164,7 @@ class Design(Layout):
 
     def _follow(self) -> None:
         """Set the places that follow from `build`, as far as they are known."""
-        for path in self.build.follows if self.build else ():
+        for path in self.build.follows:
             name, field = path.split(".")
             section: Any = getattr(self, name)
             with suppress(NotKnown):
@@ -177,7 +177,7 @@ class Design(Layout):
             "housing_diameter": lambda: 2 * self.ring_reach,
             "carrier_diameter": lambda: 2 * self.pin_circle_radius + self.pin_diameter,
         }
-        for name, calculate in least.items() if self.build else ():
+        for name, calculate in least.items():
             given = getattr(self.build, name)
             limit = if_known(calculate) if given else None
             if limit and given < limit * (1 - AS_TYPED):
@@ -657,7 +657,7 @@ class Design(Layout):
     def usual(self) -> dict[str, Any]:
         """Usual values, by path in SI units, of fields that are not given and have no default."""
         asked = self.requirements.max_outer_diameter or self.requirements.max_length
-        found = self.usual_build if self.build or asked else {}
+        found = self.usual_build if asked else {}
         found, fatigue = found | {"requirements.life": self.life}, self.fatigue
         if fatigue and fatigue.reliability_factor is None and fatigue.endurance_limit is None:
             found["fatigue.reliability_percent"] = USUAL_RELIABILITY

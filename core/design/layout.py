@@ -96,26 +96,21 @@ class Layout:
         return 2 * required(self.contact.pin_radius, "size_missing", "contact.pin_radius")
 
     @property
-    def stated_build(self) -> Build:
-        """Sizes of carrier and housing, as far as they are given."""
-        return self.build or Build()
-
-    @property
     def gap(self) -> float:
         """Gap between two discs, and between a disc and a plate, m."""
         least, most = GAPS
-        return self.stated_build.gap or min(max(GAP * self.pin_length, least), most)
+        return self.build.gap or min(max(GAP * self.pin_length, least), most)
 
     @property
     def carrier_width(self) -> float:
         """Width of the plate that holds the pins, m."""
-        return self.stated_build.carrier_width or self._usual_plate(0)
+        return self.build.carrier_width or self._usual_plate(0)
 
     @property
     def second_carrier_width(self) -> float:
         """Width of the second plate, m; 0 if there is none."""
-        if self.stated_build.second_carrier_width:
-            return self.stated_build.second_carrier_width
+        if self.build.second_carrier_width:
+            return self.build.second_carrier_width
         return self._usual_plate(1) if self.pin and self.pin.support != "cantilever" else 0.0
 
     def _usual_plate(self, end: int) -> float:
@@ -129,7 +124,7 @@ class Layout:
     @property
     def carrier_diameter(self) -> float:
         """Outer diameter of the carrier, m."""
-        given = self.stated_build.carrier_diameter
+        given = self.build.carrier_diameter
         return given or 2 * (self.pin_circle_radius + self.pin_diameter)
 
     @property
@@ -147,8 +142,8 @@ class Layout:
     @property
     def housing_diameter(self) -> float:
         """Outer diameter of the ring housing, m."""
-        if self.stated_build.housing_diameter:
-            return self.stated_build.housing_diameter
+        if self.build.housing_diameter:
+            return self.build.housing_diameter
         reach = self.ring_reach
         diameter = 2e3 * max(HOUSING * reach, reach + LEAST_WALL)
         return math.ceil(diameter * (1 - AS_TYPED)) / 1e3
@@ -157,7 +152,7 @@ class Layout:
     def housing_width(self) -> float:
         """Width of the ring housing, m."""
         low, high = self.room
-        return self.stated_build.housing_width or high - low
+        return self.build.housing_width or high - low
 
     @property
     def even_places(self) -> tuple[float, ...]:
@@ -212,13 +207,11 @@ class Layout:
         """Known sizes of carrier and housing that are not given, and what follows, by path in SI
         units.
         """
-        names = [
-            each.name for each in fields(Build) if getattr(self.stated_build, each.name) is None
-        ]
+        names = [each.name for each in fields(Build) if getattr(self.build, each.name) is None]
         known = {f"build.{name}": if_known(partial(getattr, self, name)) for name in names}
         followed = {
             path: getattr(getattr(self, section), field)
-            for path in self.stated_build.follows
+            for path in self.build.follows
             for section, field in (path.split("."),)
             if getattr(self, section)
         }

@@ -167,7 +167,7 @@ def the_saved_report_has_them(
 
 def the_print_has_them(page: Page, name: str, said: list[str]) -> None:
     pdf = printed(page)
-    if len(pdf.pages) > MOST_PAGES:  # once, on a busy machine, in the middle of another answer
+    if len(pdf.pages) > MOST_PAGES:  # seen once on a busy machine; the cause is not known
         page.wait_for_timeout(3000)
         pdf = printed(page)
     assert 2 <= len(pdf.pages) <= MOST_PAGES, (name, len(pdf.pages))

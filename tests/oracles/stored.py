@@ -17,7 +17,7 @@ from mpmath import mp, mpf
 from tests.oracles.tie_ring import Pin
 
 LEFT = mpf("1e-30")
-"""What is left of the slopes over the largest force."""
+"""Rest of the slopes over the largest force."""
 
 
 class Numbers(NamedTuple):
