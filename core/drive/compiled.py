@@ -44,6 +44,8 @@ def kind(annotation: Any) -> Any:
     """Numba's type for an annotation of the engine."""
     from numba import types as of
 
+    from core.drive.by_pointer import hold
+
     kinds = {
         float: of.float64,
         int: of.int64,
@@ -58,7 +60,7 @@ def kind(annotation: Any) -> Any:
         return kinds[annotation]
     if hasattr(annotation, "_fields"):
         hints = get_type_hints(annotation, include_extras=True)
-        return of.NamedTuple([kind(each) for each in hints.values()], annotation)
+        return hold(annotation, of.NamedTuple([kind(each) for each in hints.values()], annotation))
     return of.Tuple([kind(each) for each in annotation.__args__])
 
 

@@ -1,0 +1,83 @@
+"""Named tuples of arrays that compiled functions pass to each other by one pointer.
+
+Numba passes a tuple of arrays as its numbers one by one, some three hundred for those of the
+engine, at each call. The arrays of a tuple stay where they are during a call, so that the compiler
+may read their places once.
+"""
+
+from typing import Any
+
+from llvmlite import ir
+from numba.core import cgutils, types
+from numba.core.datamodel import models
+from numba.core.typing.templates import AttributeTemplate
+from numba.extending import (
+    NativeValue,
+    infer_getattr,
+    lower_getattr_generic,
+    register_model,
+    typeof_impl,
+    unbox,
+)
+
+
+class Held(types.Type):
+    """Pointer to a named tuple of arrays."""
+
+    def __init__(self, held: types.NamedTuple):
+        self.held = held
+        super().__init__(f"Held({held})")
+
+
+@register_model(Held)
+class HeldModel(models.PrimitiveModel):
+    """Machine's type of a pointer to a named tuple."""
+
+    def __init__(self, manager: Any, of: Held):
+        super().__init__(manager, of, ir.PointerType(manager[of.held].get_value_type()))
+
+
+@infer_getattr
+class HeldFields(AttributeTemplate):
+    """Types of the fields of a named tuple."""
+
+    key = Held
+
+    def generic_resolve(self, of: Held, name: str) -> types.Type:
+        """Type of a field."""
+        return of.held[of.held.fields.index(name)]
+
+
+@lower_getattr_generic(Held)
+def field(context: Any, builder: Any, of: Held, pointer: Any, name: str) -> Any:
+    """Read an array by its numbers, which nothing changes during a call."""
+    index = of.held.fields.index(name)
+    place = cgutils.gep_inbounds(builder, pointer, 0, index)
+    return _read(builder, place, context.get_value_type(of.held[index]))
+
+
+def _read(builder: Any, place: Any, kind: Any) -> Any:
+    if not isinstance(kind, ir.Aggregate):
+        read = builder.load(place)
+        read.set_metadata("invariant.load", builder.module.add_metadata([]))
+        return read
+    whole = ir.Constant(kind, ir.Undefined)
+    for index, part in enumerate(kind.elements):
+        each = _read(builder, cgutils.gep_inbounds(builder, place, 0, index), part)
+        whole = builder.insert_value(whole, each, index)
+    return whole
+
+
+@unbox(Held)
+def unboxed(of: Held, given: Any, context: Any) -> NativeValue:
+    """Take a named tuple of Python apart and hold it on the stack."""
+    native = context.unbox(of.held, given)
+    place = cgutils.alloca_once_value(context.builder, native.value)
+    return NativeValue(place, is_error=native.is_error, cleanup=native.cleanup)
+
+
+def hold(kind: type, held: types.NamedTuple) -> Held:
+    """Type of a pointer to a class of named tuples, by which these are passed from now on."""
+    found = Held(held)
+    typeof_impl.register(kind)(lambda *_: found)
+    return found
