@@ -77,7 +77,6 @@ law, largest force of the law, radius of the pin, difference of curvatures, radi
 (
     CA,
     SA,
-    LAW_A,
     MOST,
     OPEN,
     SLOPE,
@@ -97,9 +96,8 @@ law, largest force of the law, radius of the pin, difference of curvatures, radi
     HY,
     UX,
     UY,
-) = range(22)
-"""Floats of a contact at a position: cosine and sine of its angle; constant and largest force of
-the law, gap, slope of the path, lever of perfect parts, difference of curvatures, distance to the
+) = range(21)
+"""Floats of a contact at a position: cosine and sine of its angle; largest force of the law, gap, slope of the path, lever of perfect parts, difference of curvatures, distance to the
 pitch point, foot; approach, force, stiffness, normal, curvature of the distance, arm of the pin (of
 a LOBE its offset from its ideal place), arm and rotation of the disc."""
 
@@ -243,7 +241,7 @@ class Work(NamedTuple):
 
     q: Row  # displacements of bodies
     b: Table  # [pins, 2*K] bending of pins, m
-    w: Table  # [n, 22] floats of contacts
+    w: Table  # [n, 21] floats of contacts
     grad: Table  # [n, 6] gradient of each approach by turn, own, along, across and bending
     side: Row  # [6] derivatives of a contact's place across its normal
     hgg: Table  # second derivatives of the energy by bodies
@@ -253,9 +251,9 @@ class Work(NamedTuple):
     hbg: Block  # second derivatives by bending and bodies
     rg: Row  # unbalance of bodies
     rb: Table  # unbalance of bending pins
-    sol: Block  # solutions of hbb for hbg and -rb
+    sol: Block  # first half of the solutions of hbb for hbg and -rb
     red: Table  # hgg without bending pins, then its factor
-    p: Table  # step of bodies
+    p: Row  # step of bodies
     pb: Table  # step of bending pins
     kept: Row  # displacements kept while a play is solved
     bends: Table  # bending kept while a play is solved
@@ -312,16 +310,17 @@ def wrapped(d: float, a: float, b: float, near: float, table: Row) -> tuple[floa
     return a * x, table[0] / tangent
 
 
-def line(d: float, a: float, b: float) -> tuple[float, float]:
-    """Force and stiffness of Hertz's line contact, ``d = F*(a - b*ln F)``."""
-    m = a / b - math.log(d / b)
+def line(d: float, a: float, b: float, curved: float) -> tuple[float, float]:
+    """Force and stiffness of Hertz's line contact, ``d = F*(a - b*ln(F/curved))``."""
+    m = a / b - math.log(d / (b * curved))
     if m <= HERTZ_END - math.log(HERTZ_END):
         return d / (HERTZ_END * b), 1 / (HERTZ_END * b)
-    y = m + math.log(m) + math.log(m) / m
+    log = math.log(m)
+    y = m + log + log / m + log * (1 - log / 2) / (m * m)
     for _ in range(8):
         step = (y - math.log(y) - m) * y / (y - 1)
         y -= step
-        if abs(step) <= 1e-9 * y:
+        if step * step <= 1e-16 * y * y * (y - 1):  # the next step is half of it over y*(y - 1)
             break
     return d / (b * y), 1 / (b * (y - 1))
 
@@ -347,11 +346,11 @@ def power(d: float, a: float, b: float, n: float) -> tuple[float, float]:
 
 def law(i: int, g: int, near: float, drive: Drive, w: Table) -> tuple[float, float]:
     """Force and stiffness of a contact at its approach > 0; ``near`` is a force nearby, or 0."""
-    kind, d, a, b = drive.gi[g, LAW], w[i, DELTA], w[i, LAW_A], drive.cf[i, B]
+    kind, d, a, b = drive.gi[g, LAW], w[i, DELTA], drive.cf[i, A], drive.cf[i, B]
     if kind == LINEAR:
         return d / a, 1 / a
     if kind == HERTZ:
-        return line(d, a, b)
+        return line(d, a, b, w[i, BENT] if drive.gi[g, KIND] > PIN else 1.0)
     if kind == POWER:
         return power(d, a, b, drive.gf[g, EXPONENT])
     return wrapped(d, a, b, near, drive.table)
@@ -376,7 +375,7 @@ def place(phi: float, drive: Drive, work: Work) -> None:
         for i in range(gi[g, START], gi[g, STOP]):
             w[i, CA] = c * cf[i, CB] - s * cf[i, SB]
             w[i, SA] = s * cf[i, CB] + c * cf[i, SB]
-            w[i, LAW_A], w[i, MOST], w[i, OPEN] = cf[i, A], cf[i, LIMIT], cf[i, GAP]
+            w[i, MOST], w[i, OPEN] = cf[i, LIMIT], cf[i, GAP]
             w[i, BENT], w[i, FOOT] = cf[i, CURVED], 0.0
             if gi[g, KIND] <= PIN:
                 w[i, LEVER] = -gf[g, CIRCLE] * w[i, SA]
@@ -407,7 +406,6 @@ def place_lobe(i: int, g: int, drive: Drive, w: Table) -> None:
     curved = max(curved, EPS / cf[i, RAD])
     w[i, BENT] = curved
     if drive.gi[g, LAW] == HERTZ:
-        w[i, LAW_A] = cf[i, A] + cf[i, B] * math.log(curved)
         w[i, MOST] = cf[i, LIMIT] * curved
 
 
@@ -517,14 +515,11 @@ def foot_of(i: int, g: int, drive: Drive, w: Table) -> None:
     foot, last = min(max(foot, first), final), False
     gx = gy = hx = hy = dx = dy = size = under = 0.0
     for _ in range(FEET):
-        sh, ch = math.sin(foot / 2), math.cos(foot / 2)
-        s1x, s1y = 2 * sh * sh, 2 * sh * ch
-        sh, ch = math.sin(pins * foot / 2), math.cos(pins * foot / 2)
-        s2x, s2y = 2 * sh * sh, 2 * sh * ch
-        ex, ey = ca * s2x - sa * s2y, sa * s2x + ca * s2y
-        dx, dy = bx + radius * s1x - e * ex, by + radius * s1y - e * ey
-        gx, gy = 1 - s1x - k * (ca - ex), -s1y - k * (sa - ey)
-        hx, hy = 1 - s1x - pins * k * (ca - ex), -s1y - pins * k * (sa - ey)
+        (c1, n1), (c2, n2) = turned(foot), turned(pins * foot)
+        ex, ey = ca * c2 - sa * n2, sa * c2 + ca * n2
+        dx, dy = bx - radius * c1 + e * ex, by - radius * n1 + e * ey
+        gx, gy = 1 + c1 - k * (ca + ex), n1 - k * (sa + ey)
+        hx, hy = 1 + c1 - pins * k * (ca + ex), n1 - pins * k * (sa + ey)
         size = gx * gx + gy * gy
         under = radius * size + hx * dx + hy * dy
         if last:
@@ -668,8 +663,9 @@ def assemble(torque: float, drive: Drive, work: Work) -> None:
             press(i, g, f, k, drive, work)
 
 
-def factor(m: Table, n: int) -> bool:
-    """Factor a matrix by Cholesky, in place; False if a pivot is not positive."""
+def factor(m: Table) -> bool:
+    """Factor a matrix by Cholesky, in place, from its lower half; False if a pivot is not positive."""
+    n = len(m)
     for j in range(n):
         s = m[j, j]
         for k in range(j):
@@ -685,82 +681,93 @@ def factor(m: Table, n: int) -> bool:
     return True
 
 
-def back(m: Table, x: Table, n: int, col: int) -> None:
-    """Solve for a column of x, in place, with the matrix from `factor`."""
-    for i in range(n):
-        s = x[i, col]
+def down(m: Table, x: Row) -> None:
+    """Solve the first half of the equations, in place, with the matrix from `factor`."""
+    for i in range(len(x)):
+        s = x[i]
         for k in range(i):
-            s -= m[i, k] * x[k, col]
-        x[i, col] = s / m[i, i]
-    for i in range(n - 1, -1, -1):
-        s = x[i, col]
-        for k in range(i + 1, n):
-            s -= m[k, i] * x[k, col]
-        x[i, col] = s / m[i, i]
+            s -= m[i, k] * x[k]
+        x[i] = s / m[i, i]
 
 
-def free(m: int, work: Work) -> None:
-    """Set the step of a pin without contact: back to straight."""
+def up(m: Table, x: Row) -> None:
+    """Solve the second half of the equations, in place, after `down`."""
+    for i in range(len(x) - 1, -1, -1):
+        s = x[i]
+        for k in range(i + 1, len(x)):
+            s -= m[k, i] * x[k]
+        x[i] = s / m[i, i]
+
+
+def straight(m: int, work: Work) -> None:
+    """Set the step of a pin that nothing bends: back to straight."""
     moved = 0.0
     for i in range(work.rb.shape[1]):
         moved += abs(work.rb[m, i])
     for i in range(work.rb.shape[1]):
-        for k in range(len(work.rg)):
-            work.sol[m, i, k] = 0.0
-        work.sol[m, i, len(work.rg)] = -work.b[m, i] if moved > 0 else 0.0
+        work.pb[m, i] = -work.b[m, i] if moved > 0 else 0.0
+
+
+def eliminated(m: int, work: Work) -> bool:
+    """Eliminate a bending pin from the equations of bodies; False if it is not convex."""
+    low, sol, red, p = work.low[m], work.sol[m], work.red, work.p
+    ng, nb = len(p), len(low)
+    for i in range(nb):
+        for k in range(i + 1):
+            low[i, k] = work.hbb[m, i, k]
+        for k in range(ng):
+            sol[k, i] = work.hbg[m, i, k]
+        sol[ng, i] = -work.rb[m, i]
+    if not factor(low):
+        return False
+    for k in range(ng + 1):
+        down(low, sol[k])
+    for i in range(ng):
+        for n in range(nb):
+            for k in range(i + 1):
+                red[i, k] -= sol[i, n] * sol[k, n]
+            p[i] -= sol[i, n] * sol[ng, n]
+    return True
 
 
 def reduced(damp: float, drive: Drive, work: Work) -> bool:
     """Eliminate bending pins, factor the rest of the equations; False if it is not convex."""
-    low, hbg, sol, red, p = work.low, work.hbg, work.sol, work.red, work.p
-    ng, blocks, nb = len(work.rg), work.rb.shape[0], work.rb.shape[1]
-    for i in range(ng):
-        for k in range(ng):
+    red, p = work.red, work.p
+    for i in range(len(p)):
+        for k in range(i + 1):
             red[i, k] = work.hgg[i, k]
         red[i, i] += damp * drive.weight[i]
-        p[i, 0] = -work.rg[i]
-    for m in range(blocks):
-        if work.used[m] == 0:
-            free(m, work)
-            continue
-        for i in range(nb):
-            for k in range(nb):
-                low[m, i, k] = work.hbb[m, i, k]
-        if not factor(low[m], nb):
+        p[i] = -work.rg[i]
+    for m in range(len(work.used)):
+        if work.used[m] != 0 and not eliminated(m, work):
             return False
-        for i in range(nb):
-            for k in range(ng):
-                sol[m, i, k] = hbg[m, i, k]
-            sol[m, i, ng] = -work.rb[m, i]
-        for k in range(ng + 1):
-            back(low[m], sol[m], nb, k)
-        for i in range(ng):
-            for n in range(nb):
-                for k in range(ng):
-                    red[i, k] -= hbg[m, n, i] * sol[m, n, k]
-                p[i, 0] -= hbg[m, n, i] * sol[m, n, ng]
-    return factor(red, ng)
+    return factor(red)
 
 
 def direction(damp: float, drive: Drive, work: Work) -> bool:
     """Set Newton's step ``p``, ``pb``; False if the energy is not convex."""
     if not reduced(damp, drive, work):
         return False
-    ng, sol = len(work.rg), work.sol
-    back(work.red, work.p, ng, 0)
-    for m in range(work.rb.shape[0]):
-        for i in range(work.rb.shape[1]):
-            s = sol[m, i, ng]
+    p, pb, ng = work.p, work.pb, len(work.p)
+    down(work.red, p)
+    up(work.red, p)
+    for m in range(len(work.used)):
+        if work.used[m] == 0:
+            straight(m, work)
+            continue
+        for i in range(pb.shape[1]):
+            s = work.sol[m, ng, i]
             for k in range(ng):
-                s -= sol[m, i, k] * work.p[k, 0]
-            work.pb[m, i] = s
+                s -= work.sol[m, k, i] * p[k]
+            pb[m, i] = s
+        up(work.low[m], pb[m])
     return True
 
 
 def go(part: float, work: Work) -> None:
     """Add a part of the step to the displacements."""
     for i in range(len(work.q)):
-        work.q[i] += part * work.p[i, 0]
+        work.q[i] += part * work.p[i]
     for m in range(work.b.shape[0]):
         for i in range(work.b.shape[1]):
             work.b[m, i] += part * work.pb[m, i]
@@ -770,7 +777,7 @@ def along_step(work: Work) -> float:
     """Derivative of the energy along the step."""
     found = 0.0
     for i in range(len(work.q)):
-        found += work.p[i, 0] * work.rg[i]
+        found += work.p[i] * work.rg[i]
     for m in range(work.b.shape[0]):
         for i in range(work.b.shape[1]):
             found += work.pb[m, i] * work.rb[m, i]
@@ -782,7 +789,7 @@ def change(i: int, g: int, drive: Drive, work: Work) -> float:
     gi, found, block = drive.gi, 0.0, drive.ci[i, BLOCK]
     for s in range(4):
         if gi[g, TURN + s] >= 0:
-            found += work.grad[i, s] * work.p[gi[g, TURN + s], 0]
+            found += work.grad[i, s] * work.p[gi[g, TURN + s]]
     if block >= 0:
         at = 2 * drive.ci[i, PLANE]
         found += work.grad[i, 4] * work.pb[block, at] + work.grad[i, 5] * work.pb[block, at + 1]
@@ -793,7 +800,7 @@ def left_over(damp: float, step: float, drive: Drive, work: Work) -> float:
     """Estimate of the unbalance after the step, in second order, over the largest force."""
     gi, w, top, rest = drive.gi, work.w, 0.0, 0.0
     for i in range(len(work.q)):
-        rest = max(rest, damp * abs(work.p[i, 0]) * math.sqrt(drive.weight[i]))
+        rest = max(rest, damp * abs(work.p[i]) * math.sqrt(drive.weight[i]))
     for g in range(len(gi)):
         for i in range(gi[g, START], gi[g, STOP]):
             f, d = w[i, FORCE], w[i, DELTA]
@@ -822,7 +829,7 @@ def length_of(drive: Drive, work: Work) -> float:
     """Largest change of a displacement by the step, m."""
     step = 0.0
     for i in range(len(work.q)):
-        step = max(step, abs(work.p[i, 0]) * math.sqrt(drive.weight[i]))
+        step = max(step, abs(work.p[i]) * math.sqrt(drive.weight[i]))
     for m in range(work.b.shape[0]):
         for i in range(work.b.shape[1]):
             step = max(step, abs(work.pb[m, i]))
@@ -1365,7 +1372,7 @@ def stiffness(drive: Drive, work: Work) -> float:
         return 0.0
     gives = 0.0
     for i in range(len(work.q)):
-        gives += drive.share[i] * work.p[i, 0]
+        gives += drive.share[i] * work.p[i]
     return 1 / gives
 
 
@@ -1942,7 +1949,7 @@ def law_alone(
     if kind == LINEAR:
         return d / cf[i, A], 1 / cf[i, A]
     if kind == HERTZ:
-        return line(d, cf[i, A], cf[i, B])
+        return line(d, cf[i, A], cf[i, B], 1.0)
     if kind == CONFORMAL:
         return wrapped(d, cf[i, A], cf[i, B], w[i, PUSH], table)
     return power(d, cf[i, A], cf[i, B], exponent)
