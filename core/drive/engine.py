@@ -482,7 +482,7 @@ def lobe(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
         return
     w[i, UX], w[i, UY], w[i, HX], w[i, HY] = 1 + m2x, -m2y, px + mx, py + my
     second = drive.gi[g, KIND] == FLANK
-    if second and wide * (gf[g, LOBES] * k - 1) <= gf[g, TOOL_R] * (1 - k) * (1 - k):
+    if second and wide * gf[g, HOLLOW] <= 1:
         w[i, DELTA] = -math.inf
         return
     hollow, way = gf[g, HOLLOW] + 1 / gf[g, TOOL_R], dx * dx + dy * dy
@@ -503,13 +503,13 @@ def foot_of(i: int, g: int, drive: Drive, w: Table) -> None:
     first, foot = -final, w[i, FOOT]
     # The path is symmetric about the axes of its valleys and lobes: a pin between two axes has its
     # nearest point between them, and there the distance has a minimum.
-    if second or off > gf[g, TOOL] or off * (pins * k - 1) > radius * (1 - k) * (1 - k):
+    if second or off > gf[g, TOOL] or off * gf[g, HOLLOW] > 1:
         angle, half = math.atan2(-sa, ca) / (pins - 1), math.pi / (pins - 1)
         at = math.floor((angle - math.atan2(py, px)) / half)
         if second:
-            valley = 2 * half * math.floor((at + 1) / 2) - angle
+            valley = half * (at + at % 2) - angle
             foot = 2 * valley - w[drive.ci[i, FIRST], FOOT]
-            at += 1 if at % 2 == 1 else -1
+            at += 2 * (at % 2) - 1
         first = half * at - angle
         final = first + half
     foot, last = min(max(foot, first), final), False
@@ -538,7 +538,7 @@ def foot_of(i: int, g: int, drive: Drive, w: Table) -> None:
     length = math.sqrt(size)
     nx, ny = gx / length, gy / length
     w[i, FOOT], w[i, NX], w[i, NY] = foot, -nx, -ny
-    if second and (under <= 0 or abs(gy * dx - gx * dy) > close * under):  # driven to the middle
+    if second and abs(gy * dx - gx * dy) > close * under:  # driven to the middle
         w[i, DELTA] = -math.inf
         return
     w[i, DELTA] = w[i, OPEN] - (nx * dx + ny * dy)

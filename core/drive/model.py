@@ -27,10 +27,8 @@ class Contacts(NamedTuple):
         """True if a pin may press both flanks of a valley: its radius exceeds the tool's by more
         than the valley's radius of curvature on the path.
         """
-        own = engine.LOBES, engine.SHORT, engine.TOOL_R
-        pins, k, tool = (self.gf[..., each][..., None] for each in own)
-        wide = self.cf[..., engine.GAP] * (pins * k - 1) > tool * (1 - k) ** 2
-        return self.exact and bool(wide.any())
+        hollow = self.gf[..., engine.HOLLOW][..., None]
+        return self.exact and bool((self.cf[..., engine.GAP] * hollow > 1).any())
 
 
 class Bending(NamedTuple):

@@ -41,7 +41,8 @@ def _lobes(ring: Any, errors: LobeErrors, cranks: Cranks) -> Contacts:
     gf[..., engine.RADIUS] = disc.ring_pin_radius
     gf[..., engine.ROTATION] = disc.modification.rotation
     short = e * disc.pins / tool_circle
-    gf[..., engine.HOLLOW] = np.maximum(z * short - 1, 0) / (tool_circle * (1 - short) ** 2)
+    hollow = disc.pins * short - 1
+    gf[..., engine.HOLLOW] = np.maximum(hollow, 0) / (tool_circle * (1 - short) ** 2)
     gf[..., engine.SHORT] = short if ring.exact else e * disc.pins / circle
     radial, tangential, larger = (each[:, None] for each in errors[:3])
     cf[..., engine.EX], cf[..., engine.EY] = radial - pin_circle[..., None], tangential
