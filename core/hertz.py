@@ -219,6 +219,7 @@ class ElasticMaterial:
     plastic: Plastic | None = None  # None for metals
     strengths: Spread | None = None  # if sources of a plastic differ, Pa; Re is the least
     bulk: BulkStrength = field(default=BulkStrength(), compare=False)  # strength in bending
+    density: float | None = field(default=None, compare=False)  # kg/m^3, where a source gives it
 
     def __post_init__(self) -> None:
         check_positive(youngs_modulus=self.youngs_modulus)

@@ -143,6 +143,7 @@ class TableMaterial:
                 self.group == "steel",
                 self.strength.valid_diameter,
             ),
+            density=self.density,
         )
 
     @property

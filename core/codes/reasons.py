@@ -41,11 +41,14 @@ UNKNOWN = {
     "creep_unknown": "How much of the strength lasts is not known: by one paper printed PETG "
     "creeps in step with the load up to half of it, which is a quarter of the torque; of PLA it "
     "says nothing. Enter the factor that a test of a day under load gives",
+    "bearing_unnamed": "Only bearings of the table have a mass: enter the bearing's name",
+    "counterweight_unknown": "Of counterweights the unbalance is given, not the mass",
     "cranks_deviate": "The balance is known of cranks without deviations only",
     "default_decides": "The check fails by a value that is assumed, and holds at the mild end of "
     "what is usual: enter it",
     "direction_unknown": "Across its layers no strength of this material is known: say that they "
     "lie flat, enter that strength, or take pins of metal",
+    "density_unknown": "No density of the material is known: name one of the table",
     "different_parts": "Satellites differ in how their holes lie against their teeth: each needs a "
     "drawing of its own",
     "discs_out_of_phase": "Each satellite by itself goes onto the pins, all together do not: the "

@@ -22,4 +22,5 @@ crank_results       results about bearings and crankshaft
 results             results of a design, one property each
 curves              results over crank angles
 drawings            satellites, ring pins and ring as they are drawn
+mass                mass of each part, and inertia at the input
 """

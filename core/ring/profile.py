@@ -231,6 +231,24 @@ class CycloidDisc:
         )
         return found
 
+    @property
+    def moments(self) -> tuple[float, float]:
+        """Area, m^2, and its polar moment about the centre, m^4, of a disc without undercut.
+
+        With the distance p of the tangent from the centre the outline has ``A = ∮p*ds/2`` and
+        ``I = ∮|C|^2*p*ds/4``, which even places on one lobe integrate to rounding.
+        """
+        k, radius, lobes = self.shortening, self.tool_circle_radius, self.satellite_teeth
+        t = np.linspace(0, 2 * math.pi / lobes, LOOKED, endpoint=False)
+        slope = self.slope(t)
+        # p = Re(W*conj(n)) - r_m with the normal n that points outwards
+        tangent = (1 + self.eccentricity * k / radius) - (k + self.eccentricity / radius) * np.cos(
+            lobes * t
+        )
+        along = radius * slope * (1 - self.tool_radius * self.path_curvature(t))
+        swept = (radius * tangent / slope - self.tool_radius) * along * (2 * math.pi / LOOKED)
+        return float(swept.sum()) / 2, float((np.abs(self.outline(t)) ** 2 * swept).sum()) / 4
+
 
 @dataclass(frozen=True, slots=True)
 class OutlinePoints:
