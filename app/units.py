@@ -32,6 +32,7 @@ UNITS: dict[str, tuple[str, float]] = {
     "MPa": ("MPa", 1e6),
     "GPa": ("GPa", 1e9),
     "kg_m3": ("kg/m³", 1.0),
+    "kg_m2": ("kg·m²", 1.0),
     "kg": ("kg", 1.0),
     "C": ("°C", 1.0),
     "Nm_per_arcmin": ("N·m/′", 10_800 / math.pi),

@@ -35,6 +35,7 @@ from core.checks.crank_planetary import PARTS
 from core.checks.records import CHECKS
 from core.checks.words import CHECK_SOURCES, GROUPS, NOT_CONSIDERED
 from core.codes import CODES, WAS
+from core.design.mass import PartMass
 from core.design.sections import Requirements
 from core.errors import if_known
 from core.fixes.fix import Fix, FixStatus
@@ -307,7 +308,7 @@ def _inputs(model: type[RequestModel], given: frozenset[tuple[str, ...]]) -> dic
     return {code: [*dict.fromkeys(there(*kind.inputs))] for code, kind in CHECKS.items()}
 
 
-def _reason(found: Check | PartVerdict, body: RequestModel) -> Values:
+def _reason(found: Check | PartVerdict | PartMass, body: RequestModel) -> Values:
     """Reason for the status of a check or part, in the words of the refusal if one exists."""
     values: Values = {"code": found.reason}
     if found.refusal is None:
@@ -368,7 +369,6 @@ def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
         "utilisation": check.utilisation,
         "margin": from_si(unit, if_known(lambda: check.margin)),
         "torque_reserve": None if check.solved else check.torque_reserve,
-        "reason": _reason(check, body) if check.reason else None,
         "source": SOURCES[source or "user"],
         "source_code": source or "user",
         "criterion": check.criterion or None,
@@ -376,10 +376,17 @@ def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
         "life_factor": check.life_factor,
         "at": at or None,
         "inputs": inputs,
-        "missing": [pointer(path) for name in check.missing if (path := body.path_of(name))]
-        or None,
     }
-    return _kind_values(check.code) | present(values)
+    return _kind_values(check.code) | present(values | lacking(check, body))
+
+
+def lacking(found: Check | PartMass, body: RequestModel) -> Values:
+    """Reason for a status or an unknown mass, and pointers to the inputs that it lacks."""
+    paths = [path for name in found.missing if (path := body.path_of(name))]
+    return {
+        "reason": _reason(found, body) if found.reason else None,
+        "missing": [*map(pointer, paths)] or None,
+    }
 
 
 def value_in(body: Any, path: tuple[str | int, ...]) -> Any:

@@ -4,7 +4,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from app.calculations.checks import JudgedResponse, PartOut
+from app.calculations.checks import JudgedResponse, PartOut, ReasonOut
 from app.calculations.combined import CombinedOut
 from app.calculations.crankshaft import CrankshaftResponse
 from app.calculations.document import ForcesUsed, forces_used
@@ -33,6 +33,7 @@ from app.model import (
 from core.checks.cold_yield import ColdYield
 from core.checks.records import CHECKS
 from core.design.layout import Envelope
+from core.design.mass import Mass, PartMass
 from core.design.real_forces import RealForces
 from core.output.sampled_turn import WAYS
 
@@ -75,6 +76,21 @@ class DesignHertzOut(HertzResponse):
 
 class EnvelopeOut(ResponseModel, of=Envelope):
     """Outer sizes of a reducer, without motor, bearing of the output and seals."""
+
+
+class PartMassOut(ResponseModel, of=PartMass):
+    """Mass of one part of a reducer, or the reason why it is not known."""
+
+    BESIDE = ("reason", "missing")
+
+    reason: Maybe[ReasonOut]
+    missing: Maybe[list[str]] = Field(
+        description="JSON pointers to the inputs that the mass lacks."
+    )
+
+
+class MassOut(ResponseModel, of=Mass):
+    """Mass of a reducer without motor and bearing of the output, and its inertia at the input."""
 
 
 class ColdYieldOut(ResponseModel, of=ColdYield):
@@ -153,6 +169,10 @@ class CrankPlanetaryResponse(JudgedResponse, DocumentResponse):
     envelope: Maybe[EnvelopeOut] = result(
         "Outer diameter and length without motor, bearing of the output and seals; by usual sizes "
         "where `build` does not give them."
+    )
+    mass: Maybe[MassOut] = result(
+        "Mass of the parts, of all together without motor, bearing of the output, covers, seals "
+        "and screws, and inertia at the input; by usual sizes where `build` does not give them."
     )
     combined: Maybe[CombinedOut] = result(
         "Changes of several inputs after which no check fails, if no change of a single input "

@@ -13,6 +13,7 @@ from app.calculations.checks import (
     codes_to_fix,
     fix_values,
     judgement,
+    lacking,
     usual_values,
 )
 from app.calculations.combined import combined
@@ -21,6 +22,8 @@ from app.calculations.crank_planetary_answer import (
     DesignHertzOut,
     EnvelopeOut,
     LoadSharingOut,
+    MassOut,
+    PartMassOut,
 )
 from app.calculations.crankshaft import CrankshaftResponse
 from app.calculations.design_mesh import mesh_of
@@ -72,6 +75,7 @@ from core.checks.usual_modification import (
 )
 from core.design.crank_results import MOST_BEARING_PAIRS
 from core.design.drawings import pins_in_holes, ring_drawing
+from core.design.mass import mass
 from core.design.real_forces import RealForces
 from core.design.results import MOST_IN_SERIES, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError, Notice, if_known, is_known
@@ -111,6 +115,7 @@ Section = Literal[
     "usual_fit",
     "usual_modification",
     "envelope",
+    "mass",
     "checks",
     "largest_torque",
     "fixes",
@@ -142,6 +147,7 @@ NEEDS_OF: dict[Section, Needs] = {
     "usual_fit": (*_TOUCHING, "contact/eccentricity_mm"),
     "usual_modification": ("load", "contact/eccentricity_mm", "gear"),
     "envelope": _TOUCHING,
+    "mass": (*_TOUCHING, "contact/eccentricity_mm"),
     "checks": (),
     "largest_torque": (),
     "fixes": (),
@@ -162,6 +168,9 @@ JUDGED = frozenset(("checks", "largest_torque", "fixes", "combined"))
 
 SEARCHED = frozenset(("fixes", "combined", "usual_fit", "usual_modification"))
 """Sections that search among designs."""
+
+BUILT = frozenset(("envelope", "mass"))
+"""Sections that follow from sizes of housing and carrier."""
 
 SOLVED = frozenset(("load_sharing", "real_cyclogram", "ring_mesh", "ring_drawing"))
 """Sections whose forces are solved."""
@@ -211,10 +220,10 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
         max_length=len(SECTIONS),
         description="Sections of the answer: what is not named is not computed, nor the verdict "
         "without checks, largest_torque, fixes or combined. Where it is absent: the verdict and "
-        "all but real_cyclogram, geometry, usual_fit, usual_modification, checks, largest_torque, "
-        "fixes and combined, as far as their input is given; envelope where build is given; "
-        "members where others than the pins are the output; load_sharing where clearance, "
-        "deviations, a contact law, satellites that give or pins that bend are. "
+        "all but real_cyclogram, geometry, usual_fit, usual_modification, mass, checks, "
+        "largest_torque, fixes and combined, as far as their input is given; envelope where "
+        "build is given; members where others than the pins are the output; load_sharing where "
+        "clearance, deviations, a contact law, satellites that give or pins that bend are. "
         "load_sharing and hertz with these are left out then where the forces cannot be solved. "
         "What rests on the forces of parts that cannot be put together is always: the check "
         "interference says why.",
@@ -280,7 +289,7 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
     @property
     def builds(self) -> bool:
         """True if sizes of housing and carrier are given, or answered."""
-        return super().builds or "envelope" in (self.include or ())
+        return super().builds or not BUILT.isdisjoint(self.include or ())
 
     def without(self, path: tuple[str, ...]) -> Values:
         """Peak force of one satellite, if forces are requested and the number is assumed."""
@@ -514,6 +523,13 @@ def _usual_modification(body: CrankPlanetaryRequest) -> Values | None:
     return UsualModificationOut.of(found, largest=body.asks_largest) if found else None
 
 
+def _mass(body: CrankPlanetaryRequest) -> Values:
+    """Masses of the parts; one that is not known has the reason and what is missing."""
+    found, took_us = timed(lambda: mass(body.design))
+    parts = [PartMassOut.values(each, **lacking(each, body)) for each in found.parts]
+    return MassOut.values(found, took_us, parts=parts)
+
+
 ANSWERS: dict[Section, Answer] = {
     "cyclogram": _cyclogram,
     "members": _members,
@@ -534,6 +550,7 @@ ANSWERS: dict[Section, Answer] = {
     "usual_fit": _usual_fit,
     "usual_modification": _usual_modification,
     "envelope": lambda body: EnvelopeOut.values(*timed(lambda: body.design.envelope)),
+    "mass": _mass,
 }
 """Answers of the sections, in their order; checks and fixes belong to the verdict."""
 

@@ -63,7 +63,7 @@ MassPart = Literal[
 class Solid(NamedTuple):
     """Pieces of one part."""
 
-    pieces: int
+    pieces: int  # number of pieces
     mass: float  # of all pieces, kg
     moment: float  # moment of inertia of all pieces about the axis that they turn about, kg*m^2
     turns: Literal["crank", "carrier", "ring"]  # member whose speed they have, discs the carrier's
@@ -161,7 +161,7 @@ def _inertia(design: Design, solids: list[Solid]) -> float:
     )
 
 
-def density(material: ElasticMaterial | None, path: str) -> float:
+def _density(material: ElasticMaterial | None, path: str) -> float:
     """Density of a material, kg/m^3; `NotKnown` with its path if it has none."""
     known = required(material, "section_missing", path).density
     return required(known, "density_unknown", path)
@@ -233,7 +233,7 @@ def _blank(design: Design) -> tuple[float, float, float | None]:
 def _of_discs(design: Design) -> float:
     """Density of the discs, kg/m^3."""
     own = design.gear.of_satellites if design.gear else None
-    return density(own or design.contact.hole_material, "contact.hole_material")
+    return _density(own or design.contact.hole_material, "contact.hole_material")
 
 
 def _discs(design: Design) -> Solid:
@@ -272,7 +272,7 @@ def _pins(design: Design) -> Solid:
     return _on_pins(
         design,
         count=design.pin_count,
-        density=density(pin.material if pin else design.contact.pin_material, path),
+        density=_density(pin.material if pin else design.contact.pin_material, path),
         outer=design.pin_diameter,
         inner=pin.bore_diameter if pin else 0.0,
         length=_far_end(design) + (0.0 if design.bolted else design.carrier_width),
@@ -286,7 +286,7 @@ def _bolts(design: Design) -> Solid:
     return _on_pins(
         design,
         count=design.pin_count,
-        density=density(bolt.material or design.pin.material, "pin.bolt.bolt_material"),
+        density=_density(bolt.material or design.pin.material, "pin.bolt.bolt_material"),
         outer=bolt.core_diameter,
         length=_far_end(design) + design.carrier_width,
     )
@@ -297,7 +297,7 @@ def _sleeves(design: Design) -> Solid:
     return _on_pins(
         design,
         count=design.pairs,
-        density=density(design.contact.pin_material, "contact.pin_material"),
+        density=_density(design.contact.pin_material, "contact.pin_material"),
         outer=2 * design.nominal_pair.pin_radius,
         inner=design.pin_diameter,
         length=design.pin_length,
@@ -348,7 +348,7 @@ def _ring_pins(design: Design) -> Solid:
     return _on_ring(
         design,
         count=_held(design),
-        density=density(design.cycloid.pin_material, "gear.pin_material"),
+        density=_density(design.cycloid.pin_material, "gear.pin_material"),
         length=design.housing_width,
         turns="ring",
     )
@@ -372,7 +372,7 @@ def _housing(design: Design) -> Solid:
     gear, outer, inner = design.gear, design.housing_diameter, 2 * design.ring_reach
     sizes: Any = {"length": design.housing_width, "turns": "ring"}
     if isinstance(gear, InvoluteRing):
-        sizes["density"] = density(gear.ring_material, "gear.ring_material")
+        sizes["density"] = _density(gear.ring_material, "gear.ring_material")
         return _round(outer=outer, inner=inner - 2 * DEDENDUM * gear.module, **sizes)
     sizes["density"] = _of_discs(design)
     if not isinstance(gear, CycloidRing) or gear.pin_support != "seat":
@@ -407,7 +407,7 @@ def _shaft(design: Design) -> Solid:
     first, last = [(each.width or 0.0) / 2 for each in shaft.bearings] or (0.0, 0.0)
     low = min(held[0] - first, min(on_shaft) - long / 2)
     high = max(held[1] + last, max(on_shaft) + long / 2)
-    weight: Any = {"density": density(MATERIALS[SHAFT].material, SHAFT), "turns": "crank"}
+    weight: Any = {"density": _density(MATERIALS[SHAFT].material, SHAFT), "turns": "crank"}
     between = _round(outer=thin, length=max(high - low - count * long, 0.0), **weight)
     circle = design.known_eccentricity
     eccentrics = _round(count=count, outer=thick, length=long, circle=circle, **weight)

@@ -182,7 +182,7 @@ function superscript(exponent) {
 
 const UNITS = {
   _Nm_per_arcmin: "N·m/′", _arcmin: "′", _mm_per_N: "mm/N", _mrad_per_N: "mrad/N", _N_per_mm: "N/mm", _MPa_m_per_s: "MPa·m/s", _mm_per_s: "mm/s", _m_per_s: "m/s", _mm3_per_Nm: "mm³/(N·m)",
-  _kg_mm: "kg·mm", _kg_m3: "kg/m³", _kg: "kg", _mm: "mm", _Nm: "N·m", _N: "N", _MPa: "MPa", _GPa: "GPa", _deg: "°", _mrad: "mrad",
+  _kg_mm: "kg·mm", _kg_m3: "kg/m³", _kg_m2: "kg·m²", _kg: "kg", _mm: "mm", _Nm: "N·m", _N: "N", _MPa: "MPa", _GPa: "GPa", _deg: "°", _mrad: "mrad",
   _rpm: "rpm", _W: "W", _h: "h", _C: "°C", _percent: "%",
 };
 

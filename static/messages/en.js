@@ -32,6 +32,7 @@ export default {
     "teeth.on": { title: "Teeth of the ring", help: "Cycloid discs on the pins of the ring, or involute teeth by their profile shifts: pressure, backlash and loss of the teeth; needs the ring." },
     "crank.on": { title: "Crankshaft", help: "Reactions and life of the shaft's own bearings, and its balance; needs the ring." },
     "housing.on": { title: "Housing and carrier", help: "Outer diameter and length of the reducer, by the sizes of housing and carrier; what is left empty is usual." },
+    "mass.on": { title: "Mass and inertia", help: "Mass of each part and of all together, without motor and output bearing, and inertia at the input; needs the bearings by their names." },
     "crank.satellites": { title: "Places of the satellites", help: "Middle plane of each satellite along the shaft, from any point of it; left empty they are as far apart as along the pins." },
     "crank.name_a": { title: "Bearing A", help: "Name in the table of bearings, such as 6204, which states its sizes and lowest ratings; values that are typed beside it replace them." },
     "crank.kind_a": { title: "Rolling elements, A", help: "Rolling elements of the first bearing of the shaft." },
@@ -235,6 +236,12 @@ export default {
     lag: "Lag of the discs in the ring",
     both: "the rest of the output’s lag is that of the pins; play, stiffness and transmission error are those of both meshes",
     alone: "of the teeth alone",
+  },
+  mass: {
+    discs: "Discs", pins: "Output pins", bolts: "Bolts in the pins", sleeves: "Sleeves on the pins", pin_bearings: "Rollers on the pins", ring_pins: "Ring pins", shaft: "Crankshaft", counterweights: "Counterweights", satellite_bearings: "Bearings of the satellites",
+    of: "without motor and output bearing",
+    pieces: "pieces: {count}",
+    estimate: "estimate",
   },
   housing: {
     around: "stated by: {around}",
@@ -539,6 +546,8 @@ export default {
   },
   // Title and symbol of every result, by its API field name.
   quantity: {
+    mass_kg: "Mass",
+    inertia_kg_m2: "Inertia at the input",
     eccentricity_mm: "Eccentricity",
     eccentricity_without_backlash_mm: "Eccentricity without backlash",
     normal_backlash_mm: "Backlash along the normal",
@@ -796,6 +805,7 @@ export default {
     corrections: "Unbalances to add in the planes of A and B",
   },
   section: {
+    mass: "Mass and inertia",
     envelope: "Housing and carrier",
     cyclogram: "Cyclogram",
     members: "Crank, pins and ring",

@@ -1,4 +1,4 @@
-"""Carrier and housing over REST: places that follow, usual values, the envelope and its checks."""
+"""Carrier and housing over REST: places that follow, usual values, envelope, checks, mass."""
 
 from typing import Any
 
@@ -162,3 +162,68 @@ async def test_what_is_refused(api: Any, changes: dict[str, Any], pointer: str, 
     body = changed(REDUCER, **changes)
     problem = (await api.post(PATH, json=body)).json()
     assert [(each["pointer"], each["code"]) for each in problem["errors"]] == [(pointer, code)]
+
+
+BEARINGS: dict[str, Any] = {
+    "bearing": {"name": "6004"},
+    "crankshaft": {"bearings": [{"name": "6003"}, {"name": "6003"}]},
+}
+
+
+async def test_mass_and_inertia_are_answered_where_they_are_named(api: Any) -> None:
+    """Pins 6·π·6²·74.8 mm³ of 7,850 kg/m³; usual sizes are said."""
+    body = REDUCER | BEARINGS
+    assert "mass" not in await api.answer(PATH, body)
+    answer = await api.answer(PATH, body | {"include": ["mass"]})
+    found = answer["mass"]
+    parts = {each["code"]: each for each in found["parts"]}
+    assert found["mass_kg"] == pytest.approx(sum(each["mass_kg"] for each in parts.values()))
+    assert parts["pins"] == {
+        "code": "pins",
+        "count": 6,
+        "mass_kg": pytest.approx(0.3984509608563),
+        "estimate": True,
+    }
+    assert found["inertia_kg_m2"] == pytest.approx(5.6e-5, rel=1e-3)
+    assert {*USUAL} <= {*assumed(answer)} and "verdict" not in answer
+    without = {name: each for name, each in body.items() if name != "build"}
+    typed = changed(
+        without,
+        pin={"satellite_positions_mm": [12.0, 34.0], "span_mm": 46.0},
+        crankshaft={
+            "satellite_positions_mm": [12.0, 34.0],
+            "bearing_positions_mm": [-7.2, 53.2],
+        },
+        include=["mass"],
+    )
+    alike = await api.answer(PATH, typed)
+    assert alike["mass"]["mass_kg"] == pytest.approx(found["mass_kg"], rel=SAME)
+    assert {*USUAL} <= {*assumed(alike)}
+
+
+async def test_what_the_mass_lacks_is_said(api: Any) -> None:
+    body = changed(REDUCER | BEARINGS, contact={"hole_material": "brass"}, include=["mass"])
+    body["crankshaft"] = {
+        "bearings": [{"name": "6003"}, {"kind": "ball", "outer_diameter_mm": 35.0}]
+    }
+    found = (await api.answer(PATH, body))["mass"]
+    assert "mass_kg" not in found and "inertia_kg_m2" not in found
+    lacks = {
+        each["code"]: (each["reason"]["code"], each["missing"])
+        for each in found["parts"]
+        if "reason" in each
+    }
+    of_discs = ("density_unknown", ["/contact/hole_material"])
+    assert lacks == {
+        **dict.fromkeys(("discs", "housing", "carrier", "second_carrier"), of_discs),
+        "bearing_b": ("bearing_unnamed", ["/crankshaft/bearings/1/name"]),
+    }
+    assert all("count" not in each for each in found["parts"] if "reason" in each)
+
+
+async def test_values_beside_a_name_keep_its_density(api: Any) -> None:
+    masses = []
+    for own in ("steel_c45", {"name": "steel_c45", "yield_strength_MPa": 400.0}):
+        body = changed(REDUCER | BEARINGS, contact={"hole_material": own}, include=["mass"])
+        masses.append((await api.answer(PATH, body))["mass"]["mass_kg"])
+    assert masses[0] == masses[1]

@@ -300,7 +300,7 @@ REQUESTS: dict[str, tuple[str, dict[str, Any]]] = {
         LOOSE
         | {
             "satellite_body": {"outer_radius_mm": 60.0},
-            "include": [*LOOSE["include"], "envelope"],
+            "include": [*LOOSE["include"], "envelope", "mass"],
         },
     ),
     "equal": ("crank-planetary", EQUAL),

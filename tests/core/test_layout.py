@@ -12,23 +12,7 @@ from core.design.sections import Build, SatelliteBody, SeatedBearing
 from core.design.stated import design_of
 from core.errors import InvalidInput, NotKnown
 from core.precision import EXACT
-from tests.inputs.checks import REF, WHOLE, check_of, having
-
-STATED: dict[str, dict[str, Any]] = {
-    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
-    "load": {"output_torque": 200.0, "pin_circle_radius": 0.036, "input_speed": 150.0},
-    "contact": {
-        "contact_length": 0.020,
-        "pin_radius": 0.006,
-        "eccentricity": 0.002,
-        "hole_clearance": 2e-5,
-    },
-    "pin": {"support": "supported"},
-    "gear": {"kind": "cycloid", "ring_pin_circle_radius": 0.065, "ring_pin_radius": 0.004},
-    "crankshaft": {},
-    "build": {},
-}
-"""Two discs of 20 mm between two plates."""
+from tests.inputs.checks import REF, STATED, WHOLE, check_of, having
 
 
 def built(**sections: Any) -> Design:

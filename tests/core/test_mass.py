@@ -9,13 +9,13 @@ import pytest
 
 from core.bearings import BEARINGS
 from core.design.document import Design
-from core.design.mass import mass
+from core.design.mass import TEETH_ERROR, mass
 from core.design.sections import RollingBearing, SeatedBearing
 from core.design.stated import design_of, section
 from core.errors import InvalidInput
 from core.precision import SAME
 from core.ring.profile import CycloidDisc, Modification, outline_points
-from tests.core.test_layout import STATED
+from tests.inputs.checks import STATED
 
 STEEL = 7850.0
 NAMED = {"name": "6004"}  # 20 x 42 x 12, 69 g
@@ -233,7 +233,7 @@ def test_involute_discs_are_those_of_their_outline() -> None:
     (drawn,) = drawn_satellites(design=design, numbers=(1,), chord_error=5e-9)
     area = polygon(drawn.outline)[0] - math.pi * (0.021**2 + 6 * 0.0097**2)
     (discs, *_, housing, _, _) = mass(design).parts
-    assert discs.mass == pytest.approx(2 * STEEL * 0.020 * area, rel=1e-5)
+    assert discs.mass == pytest.approx(2 * STEEL * 0.020 * area, rel=TEETH_ERROR)
     assert (discs.estimate, housing.estimate) == (False, True)
     inner = 0.063 + 0.46 * 3e-3  # reference circle of the ring and its shift
     outer = design.housing_diameter / 2

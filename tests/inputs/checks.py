@@ -147,3 +147,20 @@ def says(check: Check, **expected: Any) -> None:
             assert found == pytest.approx(value, rel=SAME), name
         else:
             assert found == value, name
+
+
+STATED: dict[str, dict[str, Any]] = {
+    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20.0},
+    "load": {"output_torque": 200.0, "pin_circle_radius": 0.036, "input_speed": 150.0},
+    "contact": {
+        "contact_length": 0.020,
+        "pin_radius": 0.006,
+        "eccentricity": 0.002,
+        "hole_clearance": 2e-5,
+    },
+    "pin": {"support": "supported"},
+    "gear": {"kind": "cycloid", "ring_pin_circle_radius": 0.065, "ring_pin_radius": 0.004},
+    "crankshaft": {},
+    "build": {},
+}
+"""Two discs of 20 mm between two plates, as a document states them."""

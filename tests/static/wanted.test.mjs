@@ -525,6 +525,20 @@ test("what is typed of housing and carrier is asked for, and places follow the g
   assert.match(`${along.value} ${along.note}`, /74\.8.*Carrier; Bearing B/);
 });
 
+test("mass and inertia are asked for where they are wanted, and say of each part what is known", async () => {
+  const input = inputOf({ mechanism: { satellites: 2 }, contact: {} });
+  assert.deepEqual(wantedSections({ ...input, besides: { ...input.besides, mass: { on: "on" } } }), ["mass"]);
+  const { cells } = await import("../../static/calculators/crank-planetary/mass.js");
+  const parts = [{ code: "discs", count: 2, mass_kg: 2.88, estimate: false }, { code: "housing", count: 1, mass_kg: 1.569, estimate: true }];
+  const lacks = { code: "bearing_a", reason: { code: "bearing_unnamed", detail: "Only" }, missing: ["/crankshaft/bearings"] };
+  const [whole, inertia, discs, housing, bearing] = cells({ mass_kg: 6.852, inertia_kg_m2: 5.6e-5, parts: [...parts, lacks] });
+  assert.match(`${whole.value} ${whole.note}`, /6\.852.*kg without motor/);
+  assert.match(inertia.value, /kg·m²/);
+  assert.match(`${discs.label} ${discs.value} ${discs.note}`, /^Discs 2\.88\s*kg pieces: 2$/);
+  assert.match(`${housing.label} ${housing.note}`, /^Ring housing pieces: 1; estimate$/);
+  assert.match(`${bearing.label} ${bearing.value} ${bearing.note}`, /^Bearing A – Only bearings of the table/);
+});
+
 test("rollers say load, life and safety, and what they lack", async () => {
   const { cells } = await import("../../static/calculators/crank-planetary/pin_rollers.js");
   const found = { equivalent_load_N: 33.55, peak_load_N: 56.25, satellite: 1, pin: 2 };

@@ -346,6 +346,12 @@ export const WANTED = [
     fields: HOUSING,
     load: () => Promise.all([import("./housing.js"), import("../../views/part.js")]),
   },
+  {
+    id: "mass",
+    section: "mass",
+    fields: {},
+    load: () => Promise.all([import("./mass.js"), import("../../views/part.js")]),
+  },
 ];
 
 /**

@@ -9,6 +9,7 @@ from tests.oracles.answers.fit import FIT
 from tests.oracles.answers.hertz import HERTZ
 from tests.oracles.answers.load_sharing import LOAD_SHARING
 from tests.oracles.answers.losses import OUTPUT_EFFICIENCY
+from tests.oracles.answers.mass import MASS
 from tests.oracles.answers.pins import PIN_STRENGTH
 from tests.oracles.answers.precession import (
     CONTACT_LINE,
@@ -25,6 +26,7 @@ CALCULATIONS: tuple[Calculation, ...] = (
     CYCLOGRAM,
     GEOMETRY,
     ENVELOPE,
+    MASS,
     HERTZ,
     OUTPUT_EFFICIENCY,
     LOAD_SHARING,
