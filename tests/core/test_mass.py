@@ -9,7 +9,7 @@ import pytest
 
 from core.bearings import BEARINGS
 from core.design.document import Design
-from core.design.mass import TEETH_ERROR, mass
+from core.design.mass import CLOSED, TEETH_ERROR, mass
 from core.design.sections import RollingBearing, SeatedBearing
 from core.design.stated import design_of, section
 from core.errors import InvalidInput
@@ -231,16 +231,23 @@ def test_involute_discs_are_those_of_their_outline() -> None:
     }
     design = design_of(own | {"gear": teeth | shifts | heights})
     (drawn,) = drawn_satellites(design=design, numbers=(1,), chord_error=5e-9)
-    area = polygon(drawn.outline)[0] - math.pi * (0.021**2 + 6 * 0.0097**2)
+    area, moment = polygon(drawn.outline)
+    area -= math.pi * (0.021**2 + 6 * 0.0097**2)
+    moment -= math.pi * (0.021**4 / 2 + 6 * 0.0097**2 * (0.036**2 + 0.0097**2 / 2))
     (discs, *_, housing, _, _) = mass(design).parts
     assert discs.mass == pytest.approx(2 * STEEL * 0.020 * area, rel=TEETH_ERROR)
+    assert discs.solid and discs.solid.moment == pytest.approx(
+        2 * STEEL * 0.020 * moment, rel=TEETH_ERROR
+    )
     assert (discs.estimate, housing.estimate) == (False, True)
     inner = 0.063 + 0.46 * 3e-3  # reference circle of the ring and its shift
     outer = design.housing_diameter / 2
     assert housing.mass == pytest.approx(STEEL * math.pi * (outer**2 - inner**2) * 0.046)
-    plain = mass(design_of(own | {"gear": teeth})).parts[0]
-    area = math.pi * (0.060**2 - 0.021**2 - 6 * 0.0097**2)
-    assert (plain.mass, plain.estimate) == (pytest.approx(2 * STEEL * 0.020 * area), True)
+    for own_shift in (0.0, 0.2):
+        shifted = teeth | ({"satellite_profile_shift": own_shift} if own_shift else {})
+        plain = mass(design_of(own | {"gear": shifted})).parts[0]
+        area = math.pi * ((0.060 + own_shift * 3e-3) ** 2 - 0.021**2 - 6 * 0.0097**2)
+        assert (plain.mass, plain.estimate) == (pytest.approx(2 * STEEL * 0.020 * area), True)
 
 
 def test_a_bolt_and_its_spacer() -> None:
@@ -335,3 +342,63 @@ def test_bearings_on_the_pins() -> None:
     (bearings,) = (each for each in found.parts if each.code == "pin_bearings")
     assert (bearings.count, bearings.estimate) == (24, False)
     assert bearings.mass == pytest.approx(24 * BEARINGS["686"].mass)
+
+
+def solid(design: Design, code: str) -> Any:
+    """Solid of a part."""
+    (found,) = (each.solid for each in mass(design).parts if each.code == code)
+    return found
+
+
+def test_moments_of_parts_that_no_inertia_shows() -> None:
+    rollers = drive(
+        rollers={"name": "686"}, contact={"pin_radius": 0.0065}, pin={"diameter": 0.006}
+    )
+    bearings = solid(rollers, "pin_bearings")
+    assert bearings.moment == pytest.approx(bearings.mass * 0.036**2)
+    plain = solid(drive(gear=None, satellite_body={"outer_radius": 0.060}), "discs")
+    hole = 0.00802
+    moment = (0.060**4 - 0.021**4) / 2 - 6 * hole**2 * (0.036**2 + hole**2 / 2)
+    assert plain.moment == pytest.approx(2 * STEEL * 0.020 * math.pi * moment)
+
+
+def test_little_that_is_left_is_less_exact() -> None:
+    """The error grows as the difference falls, here that of the mass below that of the moment."""
+    body = {"outer_radius": 0.060, "bore_radius": 0.0275}
+    left = 1 - (0.0275**2 + 6 * 0.00802**2) / 0.060**2
+    found = drive(gear=None, satellite_body=body)
+    assert solid(found, "discs").error == pytest.approx(2 * CLOSED / left)
+    assert mass(found).accuracy.relative_error >= 2 * CLOSED / left
+
+
+def test_plates_by_their_own_sizes() -> None:
+    sizes = {"carrier_width": 0.010, "second_carrier_width": 0.016}
+    bolt = section_of_bolt({"core_diameter": 0.005})
+    found = masses(drive(build=sizes, pin={"bore_diameter": 0.0055, "bolt": bolt}))
+    bored = 0.048**2 - 0.0175**2
+    assert found["carrier"] == pytest.approx(STEEL * math.pi * 0.010 * (bored - 6 * 0.0025**2))
+    second = STEEL * math.pi * 0.016 * (bored - 6 * 0.006**2)
+    assert found["second_carrier"] == pytest.approx(second)
+
+
+def test_a_shaft_of_its_own_sizes_and_satellites_beyond_its_bearings() -> None:
+    """Eccentrics of 12 at −40 and −18, bearings of 10 at 0 and 60: 111 from −46 to 65."""
+    places = {"satellite_positions": (-0.040, -0.018), "bearing_positions": (0.0, 0.060)}
+    sizes = {"eccentric_diameter": 0.018, "shaft_diameter": 0.012}
+    found = masses(drive(crankshaft={"bearings": SEATED} | places | sizes))
+    round_ones = 0.024 * 0.009**2 + (0.111 - 0.024) * 0.006**2
+    assert found["shaft"] == pytest.approx(STEEL * math.pi * round_ones)
+    turned = {"satellite_positions": (0.100, 0.078), "bearing_positions": (0.0, 0.060)}
+    found = masses(drive(crankshaft={"bearings": SEATED} | turned | sizes))
+    round_ones = 0.024 * 0.009**2 + (0.106 + 0.005 - 0.024) * 0.006**2
+    assert found["shaft"] == pytest.approx(STEEL * math.pi * round_ones)
+
+
+def test_discs_with_two_lobes_less_are_not_those_of_one() -> None:
+    teeth = {"pins": 6, "ratio": None, "satellite_teeth": 40, "ring_teeth": 42}
+    mechanism = {name: each for name, each in teeth.items() if each is not None}
+    stated = STATED | {"mechanism": mechanism | {"satellites": 2}, "bearing": NAMED}
+    bare = mass(design_of(stated)).parts[0]
+    assert bare.missing == ("satellite_body.outer_radius",)
+    (discs, *_) = mass(design_of(stated | {"satellite_body": {"outer_radius": 0.060}})).parts
+    assert discs.estimate
