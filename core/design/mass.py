@@ -4,7 +4,7 @@ Discs, sleeves and bearings have the shapes or masses of the design. A part mark
 a plain cylinder, ring or plate: pins reach through the plates of the carrier, ring pins through the
 housing, the crankshaft from the outside of one bearing to that of the other, with an eccentric in
 each disc's bearing. Housing and carrier are of the material of the discs, a housing with involute
-teeth is of that of the ring, the crankshaft of `SHAFT`.
+teeth of that of the ring if it is known, the crankshaft of `SHAFT`.
 
 The kinetic energy is ``J*w_1^2/2`` with ``J = sum(I*(w/w_1)^2 + m*e^2)``: each part turns with the
 moment of inertia I at its speed w, and discs with their bearings move on the circle of radius e.
@@ -372,7 +372,8 @@ def _housing(design: Design) -> Solid:
     gear, outer, inner = design.gear, design.housing_diameter, 2 * design.ring_reach
     sizes: Any = {"length": design.housing_width, "turns": "ring"}
     if isinstance(gear, InvoluteRing):
-        sizes["density"] = _density(gear.ring_material, "gear.ring_material")
+        own = gear.ring_material
+        sizes["density"] = _density(own, "gear.ring_material") if own else _of_discs(design)
         return _round(outer=outer, inner=inner - 2 * DEDENDUM * gear.module, **sizes)
     sizes["density"] = _of_discs(design)
     if not isinstance(gear, CycloidRing) or gear.pin_support != "seat":

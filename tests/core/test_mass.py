@@ -243,9 +243,13 @@ def test_involute_discs_are_those_of_their_outline() -> None:
     inner = 0.063 + 0.46 * 3e-3  # reference circle of the ring and its shift
     outer = design.housing_diameter / 2
     assert housing.mass == pytest.approx(STEEL * math.pi * (outer**2 - inner**2) * 0.046)
+    brass = design_of(own | {"gear": teeth | shifts | heights | {"ring_material": "brass"}})
+    assert mass(brass).parts[-3].missing == ("gear.ring_material",)
     for own_shift in (0.0, 0.2):
         shifted = teeth | ({"satellite_profile_shift": own_shift} if own_shift else {})
-        plain = mass(design_of(own | {"gear": shifted})).parts[0]
+        plain, *_, ring, _, _ = mass(design_of(own | {"gear": shifted})).parts
+        outer = design_of(own | {"gear": shifted}).housing_diameter / 2
+        assert ring.mass == pytest.approx(STEEL * math.pi * (outer**2 - 0.063**2) * 0.046)
         area = math.pi * ((0.060 + own_shift * 3e-3) ** 2 - 0.021**2 - 6 * 0.0097**2)
         assert (plain.mass, plain.estimate) == (pytest.approx(2 * STEEL * 0.020 * area), True)
 
