@@ -577,3 +577,14 @@ def test_discs_are_taken_along_as_drawings_once_their_modification_is_known(
     take.click()
     drawings.click()
     expect(page.get_by_role("alert")).to_contain_text("the tool would cut off a part")
+
+
+def test_mass_is_shown_where_it_is_wanted(page: Page, service: str) -> None:
+    """A group without fields of its own: each part says its mass, or what it lacks."""
+    show(page, service, "crank-planetary", **DESIGN)
+    switch(page, "mass").check()
+    settled(page)
+    expect(part(page, "mass").locator(".numbers")).to_contain_text("pieces: 3; estimate")
+    reopen(page)
+    lacks = "A part of the design that it needs is not given"
+    expect(part(page, "mass").locator(".numbers")).to_contain_text(lacks)
