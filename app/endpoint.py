@@ -232,11 +232,11 @@ def told_progress(tell: Tell, name: str, sent: bytes, settings: Settings) -> Non
     tell(b"")
     last = time.monotonic()
 
-    def report(share: float) -> None:
+    def report(share: float, **found: Values) -> None:
         nonlocal last
-        if time.monotonic() - last >= PROGRESS_S:
+        if found or time.monotonic() - last >= PROGRESS_S:
             last = time.monotonic()
-            tell(_line({"progress": share}))
+            tell(_line({"progress": share, **found}))
 
     tell(b'{"result":' + encoded(answered(calculation, body, report)) + b"}\n")
 

@@ -51,7 +51,10 @@ TAGS = [
     {"name": "crank-planetary", "description": "Pins of the output link in holes of satellites."},
     {"name": "rollers", "description": "Swinging rollers of the output mechanism."},
     {"name": "precessional gear", "description": "Precessional gear with a roller wheel."},
-    {"name": "exploration", "description": "Inputs that are solved for a result."},
+    {
+        "name": "exploration",
+        "description": "Inputs that are solved for a result, and reducers for a requirement.",
+    },
     {"name": "accuracy", "description": "Error against run time of the methods."},
     {"name": "files", "description": "Parts of a design as files for other programs."},
     {"name": "batch", "description": "Many requests of one calculation."},

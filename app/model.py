@@ -15,6 +15,7 @@ from typing import (
     ClassVar,
     Literal,
     NamedTuple,
+    Protocol,
     Self,
     TypeVar,
     cast,
@@ -600,11 +601,14 @@ def _leave_to_checks(values: Values, checks: list[Values]) -> None:
             part |= {"warnings": kept} if kept else {}
 
 
-Report = Callable[[float], None]
-"""Function that is told the progress of a study, from 0 to 1."""
+class Report(Protocol):
+    """Function that is told the progress of a study, from 0 to 1, and what is found at once."""
+
+    def __call__(self, share: float, **found: Values) -> None:
+        """Tell it."""
 
 
-def untold(share: float) -> None:
+def untold(share: float, **found: Values) -> None:
     """Progress report that nobody receives."""
 
 

@@ -25,6 +25,7 @@ FIRST = (
     "precession/meshing-load",
     "precession/shaft-deflection",
     "solve",
+    "propose",
     "work-precision",
 )
 """Names of calculations in the order in which a request's path is compared; others follow."""

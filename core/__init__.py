@@ -37,6 +37,7 @@ ring                teeth of satellite and ring: geometry, meshing and load
 design              the design of a reducer, nested as its JSON, and the results that follow
 checks              results against limits: checks of each machine element and their verdict
 fixes               changes of the inputs that make a failed check pass
+proposal            whole reducers from a requirement, of parts that can be bought
 worked              worked steps: each number derived from others, formula by formula
 work_precision      error against run time of the methods above
 """

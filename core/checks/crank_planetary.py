@@ -201,11 +201,10 @@ def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
     """Verdict of a part by the checks that are made; the first in rank decides."""
     if part.code not in design.scope:
         return PartVerdict(code=part.code, status="left_out")
-    demanded = asked_of(design, *part.demands.split())
-    if part.demands and not demanded and not getattr(design, part.sections[-1]):
-        return PartVerdict(code=part.code, status="not_asked")
     own = [check for check in made if check.kind.part == part.code]
     decided = [check for check in own if check.status in ("fail", "marginal", "pass")]
+    if part.demands and not decided and not asked_of(design, *part.demands.split()):
+        return PartVerdict(code=part.code, status="not_asked")
     governing = decided[0].code if decided else None
     if decided and decided[0].status == "fail":
         return PartVerdict(code=part.code, status="fail", governing=governing)

@@ -7,7 +7,7 @@ may read their places once.
 
 from typing import Any
 
-from llvmlite import ir
+from llvmlite import ir  # type: ignore[import-untyped]
 from numba.core import cgutils, types
 from numba.core.datamodel import models
 from numba.core.typing.templates import AttributeTemplate
@@ -24,13 +24,13 @@ from numba.extending import (
 class Held(types.Type):
     """Pointer to a named tuple of arrays."""
 
-    def __init__(self, held: types.NamedTuple):
+    def __init__(self, held: Any):
         self.held = held
         super().__init__(f"Held({held})")
 
 
 @register_model(Held)
-class HeldModel(models.PrimitiveModel):
+class HeldModel(models.PrimitiveModel):  # type: ignore[misc]
     """Machine's type of a pointer to a named tuple."""
 
     def __init__(self, manager: Any, of: Held):
@@ -38,18 +38,18 @@ class HeldModel(models.PrimitiveModel):
 
 
 @infer_getattr
-class HeldFields(AttributeTemplate):
+class HeldFields(AttributeTemplate):  # type: ignore[misc]
     """Types of the fields of a named tuple."""
 
     key = Held
 
-    def generic_resolve(self, of: Held, name: str) -> types.Type:
+    def generic_resolve(self, of: Held, name: str) -> Any:
         """Type of a field."""
         return of.held[of.held.fields.index(name)]
 
 
-@lower_getattr_generic(Held)
-def field(context: Any, builder: Any, of: Held, pointer: Any, name: str) -> Any:
+@lower_getattr_generic(Held)  # type: ignore[untyped-decorator]
+def _field(context: Any, builder: Any, of: Held, pointer: Any, name: str) -> Any:
     """Read an array by its numbers, which nothing changes during a call."""
     index = of.held.fields.index(name)
     place = cgutils.gep_inbounds(builder, pointer, 0, index)
@@ -68,15 +68,15 @@ def _read(builder: Any, place: Any, kind: Any) -> Any:
     return whole
 
 
-@unbox(Held)
-def unboxed(of: Held, given: Any, context: Any) -> NativeValue:
+@unbox(Held)  # type: ignore[untyped-decorator]
+def _unboxed(of: Held, given: Any, context: Any) -> NativeValue:
     """Take a named tuple of Python apart and hold it on the stack."""
     native = context.unbox(of.held, given)
     place = cgutils.alloca_once_value(context.builder, native.value)
     return NativeValue(place, is_error=native.is_error, cleanup=native.cleanup)
 
 
-def hold(kind: type, held: types.NamedTuple) -> Held:
+def hold(*, kind: type, held: Any) -> Held:
     """Type of a pointer to a class of named tuples, by which these are passed from now on."""
     found = Held(held)
     typeof_impl.register(kind)(lambda *_: found)

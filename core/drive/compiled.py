@@ -60,7 +60,8 @@ def kind(annotation: Any) -> Any:
         return kinds[annotation]
     if hasattr(annotation, "_fields"):
         hints = get_type_hints(annotation, include_extras=True)
-        return hold(annotation, of.NamedTuple([kind(each) for each in hints.values()], annotation))
+        held = of.NamedTuple([kind(each) for each in hints.values()], annotation)
+        return hold(kind=annotation, held=held)
     return of.Tuple([kind(each) for each in annotation.__args__])
 
 

@@ -97,9 +97,10 @@ law, largest force of the law, radius of the pin, difference of curvatures, radi
     UX,
     UY,
 ) = range(21)
-"""Floats of a contact at a position: cosine and sine of its angle; largest force of the law, gap, slope of the path, lever of perfect parts, difference of curvatures, distance to the
-pitch point, foot; approach, force, stiffness, normal, curvature of the distance, arm of the pin (of
-a LOBE its offset from its ideal place), arm and rotation of the disc."""
+"""Floats of a contact at a position: cosine and sine of its angle; largest force of the law, gap,
+slope of the path, lever of perfect parts, difference of curvatures, distance to the pitch point,
+foot; approach, force, stiffness, normal, curvature of the distance, arm of the pin (of a LOBE its
+offset from its ideal place), arm and rotation of the disc."""
 
 (
     STATUS,
@@ -664,7 +665,7 @@ def assemble(torque: float, drive: Drive, work: Work) -> None:
 
 
 def factor(m: Table) -> bool:
-    """Factor a matrix by Cholesky, in place, from its lower half; False if a pivot is not positive."""
+    """Factor a matrix by its lower half, by Cholesky; False if a pivot is not positive."""
     n = len(m)
     for j in range(n):
         s = m[j, j]

@@ -56,7 +56,7 @@ VANISHING = {
     "rating": {"bearing": {"dynamic_rating_N": 1e-12, "static_rating_N": 1e-12}},
     "circle": {"load": {"pin_circle_radius_mm": 1e-6}},
 }
-BY_FORCES = ("contact", "pins", "satellite_bearing", "crank_bearings", "losses")
+BY_FORCES = ("contact", "pins", "satellite_bearing", "crank_bearings")
 
 
 def winch(**sections):
@@ -87,6 +87,7 @@ async def test_of_what_is_not_known_of_the_clearance_nothing_is_green(api):
     assert parts["contact"]["missing"] == ["/contact/hole_clearance_mm"]
     assert parts["teeth"]["reason"] == "modification_unknown"
     assert parts["body"]["status"] == "pass"
+    assert parts["losses"]["status"] == "not_asked"  # friction alone asks nothing
     assert checks["interference"]["missing"] == ["/contact/hole_clearance_mm"]
     assert [each["code"] for each in answer.get("warnings", ())] == []  # which the checks say
     quiet, _, _ = await asked(api, WINCH | {"include": ["hertz"]})

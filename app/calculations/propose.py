@@ -1,0 +1,369 @@
+"""Whole reducers from a requirement: request and answer."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import asdict
+from functools import cache
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from pydantic import Field
+
+from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
+from app.calculations.tolerance_study import ToleranceStudyRequest
+from app.model import (
+    AccuracyOut,
+    Maybe,
+    Report,
+    RequestModel,
+    ResponseModel,
+    Size,
+    StudyCalculation,
+    Values,
+    Whole,
+    accuracy_values,
+    core_paths,
+    present,
+    quantity,
+    result,
+    timed,
+    untold,
+)
+from app.problems import refusal
+from app.settings import Settings, current
+from app.sources import WANG_2016, YANCHEVSKIY_2021
+from app.units import from_si, to_si
+from core.checks.reserve import NEAR, crank_verdict
+from core.design.results import Results
+from core.errors import Accuracy, if_known
+from core.material_table import MATERIALS
+from core.materials import PLASTICS
+from core.proposal.screen import Demand
+from core.proposal.search import Document, Judged, Search
+from core.proposal.shop import SHOPS, ShopName
+
+SECONDS = 10.0
+"""Processor time after which a search judges no further design, s."""
+
+SHARE = 0.5
+"""Part of the time of a request that a search takes, if it is answered as a whole."""
+
+MOST_RATIOS = 8
+"""Largest number of ratios that are tried."""
+
+STUDY: Values = {
+    "samples": 256,
+    "quantities": ["backlash_max_arcmin"],
+    "percentiles": [90.0],
+}
+"""Request of `/tolerance-study` for the pieces of a design, beside the design."""
+
+PIECES = 0.9
+"""Part of the pieces that have to go together, and to keep the backlash."""
+
+METALS = tuple(
+    name
+    for name, each in MATERIALS.items()
+    if each.group not in PLASTICS and not each.missing and each.material.limit
+)
+"""Materials with a known limit of the contact pressure."""
+
+if TYPE_CHECKING:
+    Metal = str
+else:
+    Metal = Literal[METALS]
+
+
+class MaterialsFields(RequestModel, group="propose"):
+    """Materials by name in place of those of the process."""
+
+    disc: Maybe[Metal] = quantity("Discs", help="Material of the discs.")
+    pins: Maybe[Metal] = quantity("Output pins", help="Material of the output pins and sleeves.")
+    ring_pins: Maybe[Metal] = quantity("Ring pins", help="Material of the ring pins.")
+
+
+class RatiosFields(RequestModel, group="propose"):
+    """Range of ratios."""
+
+    low: Whole = Field(alias="from", ge=5, le=119, description="Least ratio.")
+    to: Whole = Field(ge=5, le=119, description="Largest ratio.")
+
+
+class ProposeRequest(RequestModel, group="propose"):
+    """Task of a reducer with cycloid discs, and how it is made."""
+
+    torque_Nm: Size = quantity("Output torque", "T₂", help="Torque of the output.")
+    ratio: Annotated[Whole, Field(ge=5, le=119)] | RatiosFields = Field(
+        description=f"Ratio, a whole number from 5 to 119, or a range of at most {MOST_RATIOS}."
+    )
+    outer_diameter_mm: float = quantity(
+        "Largest outer diameter", "D", help="Diameter that the reducer may have.", ge=30, le=600
+    )
+    length_mm: Maybe[float] = quantity(
+        "Largest length",
+        "L",
+        help="Length that the reducer may have, without motor, output bearing and seals.",
+        ge=10,
+        le=1000,
+    )
+    input_speed_rpm: float = quantity(
+        "Input speed", "n₁", help="Speed of the crankshaft.", default=1500.0, ge=1, le=20_000
+    )
+    life_h: float = quantity(
+        "Life", "L_h", help="Life that bearings and teeth last.", default=5000.0, ge=10, le=2e5
+    )
+    process: ShopName = quantity(
+        "Process",
+        help="How discs and pins are made: materials, fit, modification.",
+        default="precise",
+    )
+    materials: MaterialsFields = Field(default_factory=MaterialsFields)
+    output: Literal["pins", "ring"] = quantity(
+        "Output", help="Member that gives the output torque; the other one stands.", default="pins"
+    )
+    discs: Literal[2, 3] = quantity("Discs", "K", help="Number of discs.", default=2)
+    min_efficiency: Maybe[float] = quantity(
+        "Least efficiency", "η", help="Efficiency of pins and teeth.", ge=0.1, le=0.99
+    )
+    max_backlash_arcmin: Maybe[Size] = quantity(
+        "Largest backlash", "j", help="Backlash at the output that nine tenths of the pieces keep."
+    )
+    wanted: Whole = quantity(
+        "Proposals", help="Number of proposals after which the search ends.", default=5, ge=1, le=10
+    )
+
+    @property
+    def ratios(self) -> range:
+        """Ratios that are tried."""
+        asked = self.ratio
+        low, high = (asked, asked) if isinstance(asked, int) else (asked.low, asked.to)
+        return range(low, high + 1)
+
+    def refuse_beyond(self, settings: Settings) -> None:
+        """Refuse an empty range of ratios, and one with too many of them."""
+        super().refuse_beyond(settings)
+        count, low = len(self.ratios), self.ratios.start
+        if not 1 <= count <= MOST_RATIOS:
+            code = "less_than_equal" if count else "greater_than_equal"
+            limit = low + MOST_RATIOS - 1 if count else low
+            raise refusal("/ratio/to", code, limit=limit)
+
+    def cost(self) -> float:
+        """Infinite, as a search takes seconds."""
+        return math.inf
+
+    @property
+    def demands(self) -> Iterator[Demand]:
+        """Task for each ratio."""
+        chosen = self.materials.given
+        for ratio in self.ratios:
+            yield Demand(
+                torque=self.torque_Nm,
+                ratio=ratio,
+                outer_diameter=to_si("outer_diameter_mm", self.outer_diameter_mm),
+                length=to_si("length_mm", self.length_mm) or math.inf,
+                input_speed=to_si("input_speed_rpm", self.input_speed_rpm),
+                life=to_si("life_h", self.life_h),
+                shop=SHOPS[self.process],
+                disc_material=chosen.get("disc", ""),
+                pin_material=chosen.get("pins", ""),
+                ring_pin_material=chosen.get("ring_pins", ""),
+                output=self.output,
+                discs=self.discs,
+                efficiency=self.min_efficiency,
+                backlash=to_si("max_backlash_arcmin", self.max_backlash_arcmin),
+            )
+
+
+class ColumnsOut(ResponseModel):
+    """Numbers that tell proposals apart."""
+
+    outer_diameter_mm: float = result("Outer diameter.", symbol="D")
+    length_mm: float = result("Length, without motor, output bearing and seals.", symbol="L")
+    largest_torque_Nm: Maybe[float] = result("Torque at which the first check fails.")
+    backlash_arcmin: Maybe[float] = result(
+        "Backlash at the output that nine tenths of the pieces keep: `/tolerance-study` of the "
+        "design with `study`."
+    )
+    efficiency: Maybe[float] = result("Efficiency of pins and teeth.", symbol="η")
+
+
+class ProposalOut(ResponseModel):
+    """A whole reducer."""
+
+    design: dict[str, Any] = Field(description="Request of `/crank-planetary`.")
+    verdict: str = Field(description="Its verdict there.")
+    governing: Maybe[str] = Field(description="Code of the check that decides.")
+    columns: ColumnsOut
+
+
+class TallyOut(ResponseModel):
+    """Number of screened designs that a check rejects by estimates."""
+
+    code: str = Field(description="Code of the check.")
+    failed: int = Field(description="Number of designs that it rejects.")
+    only_this: int = Field(description="Number of designs that hold all else.")
+
+
+class RatioOut(ResponseModel):
+    """Demand of a check over what is reached."""
+
+    code: str = Field(description="Code of the check.")
+    asked_over_reached: Maybe[float] = Field(
+        description="Demand over what is reached: of the torque, where it decides."
+    )
+
+
+class NearestOut(ProposalOut):
+    """Judged design that comes nearest where none holds."""
+
+    lacks: list[RatioOut] = Field(description="Failed checks, the worst first.")
+
+
+class ProposeResponse(ResponseModel):
+    """Reducers that do what is asked, each judged by the whole calculation."""
+
+    proposals: list[ProposalOut] = Field(
+        description="Designs that hold, of different ring pins or bearings."
+    )
+    nearest: Maybe[NearestOut] = Field(
+        description="Design that comes nearest; absent if one holds."
+    )
+    tally: list[TallyOut] = Field(description="Why screened designs do not hold, most first.")
+    study: dict[str, Any] = Field(
+        description="What `/tolerance-study` is asked beside a design for the backlash of pieces."
+    )
+    screened: int = Field(description="Number of designs that were estimated.")
+    judged: int = Field(description="Number of designs that were judged.")
+    accuracy: AccuracyOut = Field(description="That of the largest torques.")
+
+
+@cache
+def _paths() -> dict[str, list[tuple[str, ...]]]:
+    return core_paths(CrankPlanetaryRequest)
+
+
+def in_json(document: Document) -> dict[str, Any]:
+    """Design document as a request of `/crank-planetary`."""
+    body: dict[str, Any] = {}
+
+    def put(path: tuple[str, ...], value: Any) -> None:
+        if isinstance(value, dict):
+            for name, each in value.items():
+                put((*path, name), each)
+            return
+        names = next(each for each in _paths()[".".join(path)] if len(each) == len(path))
+        inner = body
+        for name in names[:-1]:
+            inner = inner.setdefault(name, {})
+        shown = from_si(names[-1], value)
+        inner[names[-1]] = float(f"{shown:.9g}") if isinstance(shown, float) else shown
+
+    put((), document)
+    return body
+
+
+def _results(document: Document) -> Results:
+    """Results of a document, as whoever posts it gets them."""
+    return CrankPlanetaryRequest.model_validate(in_json(document)).results
+
+
+def backlash_of_pieces(design: Values) -> float | None:
+    """Backlash that nine tenths of the pieces of a design keep, minutes of arc; None if fewer than
+    these go together.
+    """
+    values, _ = ToleranceStudyRequest.model_validate(design | STUDY).solve()
+    found = values["quantities"]["backlash_max_arcmin"]["percentiles"]
+    if values.get("fits", values["samples"]) < PIECES * STUDY["samples"] or not found:
+        return None
+    return float(found[0]["value"])
+
+
+class _Found:
+    """Proposals of a request, as they are found."""
+
+    def __init__(self, body: ProposeRequest, report: Report, seconds: float) -> None:
+        self.body = body
+        self.backlashes: dict[int, float | None] = {}
+        self.search = Search(
+            body.demands, results_of=_results, accepts=self._keeps_backlash, seconds=seconds
+        )
+        self.shown: list[Values] = []
+        for found in self.search.run(body.wanted):
+            self.shown.append(self.proposal(found))
+            share = max(len(self.shown) / body.wanted, self.search.spent / seconds)
+            report(min(share, 1.0), proposal=self.shown[-1])
+
+    def _keeps_backlash(self, found: Judged) -> bool:
+        kept = backlash_of_pieces(in_json(found.document))
+        self.backlashes[id(found)] = kept
+        return kept is not None and kept <= (self.body.max_backlash_arcmin or math.inf)
+
+    def proposal(self, found: Judged) -> Values:
+        """Values of a proposal."""
+        results = found.results
+        torque, outside = results.design.output_torque, results.design.envelope
+        largest = crank_verdict(results, largest=True) if found.held else found.verdict
+        columns = {
+            "outer_diameter_mm": from_si("outer_diameter_mm", outside.outer_diameter),
+            "length_mm": from_si("length_mm", outside.length),
+            "largest_torque_Nm": largest.largest_torque(torque),
+            "backlash_arcmin": self.backlashes.get(id(found)),
+            "efficiency": if_known(lambda: float(results.losses.efficiency)),
+        }
+        return {
+            "design": in_json(found.document),
+            "verdict": found.verdict.verdict,
+            "governing": found.verdict.governing,
+            "columns": present(columns),
+        }
+
+    @property
+    def nearest(self) -> Values | None:
+        """Values of the design that comes nearest if none holds."""
+        found = self.search.nearest
+        if self.shown or found is None:
+            return None
+        lacks = [{"code": code, "asked_over_reached": r} for code, r in found.ratios.items()]
+        return self.proposal(found) | {"lacks": lacks}
+
+
+def reporting(body: ProposeRequest, report: Report, seconds: float = SECONDS) -> Values:
+    """Values of the search; proposals are reported as they are found."""
+    found, run_time_us = timed(lambda: _Found(body, report, seconds))
+    search = found.search
+    values = {
+        "proposals": found.shown,
+        "nearest": found.nearest,
+        "tally": [asdict(each) for each in search.tally],
+        "study": STUDY,
+        "screened": search.screened,
+        "judged": len(search.judged),
+        "accuracy": accuracy_values(Accuracy("bracketing", NEAR - 1, search.screened), run_time_us),
+    }
+    return present(values)
+
+
+def solve(body: ProposeRequest) -> Values:
+    """Whole reducers with cycloid discs that do what is asked: of pins, bearings and lengths that
+    can be bought, each judged as `/crank-planetary` judges it.
+
+    Many designs are estimated, and the best ones are judged until as many as wanted hold or the
+    time is over. Where none holds, the tally says why, and `nearest` is the design that lacks
+    least. The header `Accept: application/x-ndjson` asks for an answer in lines:
+    `{"progress": 0.4, "proposal": {...}}` as soon as one is found, and at last `{"result": ...}` or
+    `{"problem": ...}`. Closing the connection ends the search.
+    """
+    return reporting(body, untold, SHARE * current().max_seconds)
+
+
+CALCULATION = StudyCalculation(
+    name="propose",
+    title="Reducers from a requirement",
+    tag="exploration",
+    request=ProposeRequest,
+    answer=ProposeResponse,
+    solve=solve,
+    sources=(YANCHEVSKIY_2021, WANG_2016),
+    batched=False,
+    reporting=reporting,
+)

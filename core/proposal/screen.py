@@ -1,0 +1,375 @@
+"""Screen: closed formulas over arrays of designs, and reasons of those that cannot be.
+
+Forces of the ring are those of the set of pins that touch discs of modified teeth, in first order
+and with one stiffness of all contacts; so are forces on output pins with their clearance. These
+estimates only rank designs: no verdict rests on them.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.arrays import FloatArray
+from core.bearings import NamedBearing
+from core.checks.teeth import NEAR_UNDERCUT
+from core.checks.walls import BETWEEN_PINS
+from core.crank.bearing_life import EXPONENTS
+from core.crank.envelope import MIN_LOAD
+from core.design.document import WALL_GUIDE
+from core.design.layout import GAP, GAPS, HOUSING, LEAST_PLATE, LEAST_WALL, PLATE
+from core.material_table import MATERIALS
+from core.output.mechanism import Mechanism, assembly_angles
+from core.proposal.shop import SHOPS, Shop, bought, pin_sizes
+
+SHORTENING = 0.5, 0.85
+"""Least and largest ``e*z_p/R_m`` that is tried."""
+
+STEP, ECCENTRICITIES = 0.05e-3, 9
+"""Step of the eccentricity, m, and largest number of those tried on a circle of ring pins."""
+
+PINS = range(4, 13)
+"""Numbers of output pins that are tried."""
+
+WIDTHS = 1.0, 0.75, 0.5
+"""Widths of the discs that are tried, over the largest one."""
+
+WIDEST, NARROWEST = 0.25, 3e-3
+"""Largest width of a disc over the diameter of the reducer, and least width, m."""
+
+COMPLIANCE = 2.8
+"""Compliance of a line contact times width and reduced modulus: ``(2/pi)*(ln(4*R/a) - 1/2)`` at
+``R/a = 30``."""
+
+POSITIONS = 4
+"""Positions of a disc within a pitch of the ring pins."""
+
+RADIAL = 0.6
+"""Radial over tangential force of the ring, before the pins that touch are known."""
+
+SAFE = 1.3
+"""Limit of a pressure over the pressure that is estimated to last."""
+
+BENDING = 300e6
+"""Bending stress that is estimated to last in a pin, Pa."""
+
+BESIDE = 1e-3
+"""Least gap between a bearing of the crankshaft and the pins, m."""
+
+REACTION = 0.7
+"""Load of a bearing of the crankshaft over the tangential force on a disc, before all sizes are
+known."""
+
+ROUNDED = 0.15e-3
+"""Addition to usual walls for sizes that are rounded, m."""
+
+LEAST = 0.5
+"""Least over largest load of a satellite's bearing."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Demand:
+    """Task of a reducer, in SI units, and its shop."""
+
+    torque: float  # of the output, N*m
+    ratio: int
+    outer_diameter: float  # largest one, m
+    length: float = math.inf  # largest one, m
+    input_speed: float  # rad/s
+    life: float  # s
+    shop: Shop = SHOPS["precise"]
+    disc_material: str = ""  # name in place of that of the shop
+    pin_material: str = ""  # likewise, of the output pins
+    ring_pin_material: str = ""  # likewise, of the ring pins
+    output: str = "pins"  # pins or ring
+    discs: int = 2
+    efficiency: float | None = None  # least one
+    backlash: float | None = None  # largest one, rad
+
+    @property
+    def lobes(self) -> int:
+        """Number of lobes of a disc."""
+        return self.ratio - (self.output == "ring")
+
+    @property
+    def disc(self) -> str:
+        """Name of the discs' material."""
+        return self.disc_material or self.shop.disc
+
+    @property
+    def pin(self) -> str:
+        """Name of the material of the output pins and their sleeves."""
+        return self.pin_material or self.shop.pin
+
+    @property
+    def ring_pin(self) -> str:
+        """Name of the material of the ring pins."""
+        return self.ring_pin_material or self.shop.pin
+
+    @property
+    def disc_torque(self) -> float:
+        """Torque of the pins on all discs, N*m: less than that of a ring that is the output."""
+        return self.torque * self.lobes / self.ratio
+
+
+def numbers_of_pins(demand: Demand) -> list[int]:
+    """Numbers of output pins with which all discs are equal parts; all numbers if there is none.
+
+    >>> numbers_of_pins(
+    ...     Demand(torque=20.0, ratio=20, outer_diameter=0.1, input_speed=150.0, life=2e7)
+    ... )
+    [8]
+    """
+    found = [pins for pins in PINS if _alike(demand, pins)]
+    return found or [*PINS]
+
+
+def _alike(demand: Demand, pins: int) -> bool:
+    """True if all discs on a number of pins are equal parts."""
+    ratio, discs = float(demand.lobes), demand.discs
+    made = Mechanism.evenly_spaced(pins=pins, satellites=discs, ratio=ratio)
+    angles = assembly_angles(mechanism=made, satellite_teeth=demand.lobes)
+    return all(each.identical for each in angles)
+
+
+def path_bends(*, short: Any, lobes: int, less: Any) -> tuple[FloatArray, FloatArray]:
+    """Curvature of the path of ring pins times the radius of their circle, positive at lobes, and
+    slope of the path, at pins whose angle to the crank has ``less = 1 - cos a``.
+    """
+    pins = lobes + 1
+    slope = np.sqrt((1 - short) ** 2 + 2 * short * less)
+    bend = (1 - short) * (1 - pins * short) + (pins + 1) * short * less
+    return bend / slope**3, slope
+
+
+class Screen:
+    """All designs with a number of output pins, as columns in SI units, and what is estimated of
+    them: `failed` by code, and `reserves`, torque over the one that is asked, by code.
+    """
+
+    def __init__(self, demand: Demand, pins: int) -> None:
+        self.demand, self.discs, self.pins = demand, demand.discs, pins
+        self.failed: dict[str, NDArray[np.bool_]] = {}
+        self.reserves: dict[str, FloatArray] = {}
+        self.bearings = bought(
+            widest=WIDEST * demand.outer_diameter, most=demand.outer_diameter / 2
+        )
+        teeth = self._teeth()
+        sizes = range(len(teeth)), range(len(self.bearings)), WIDTHS, (0, 1)
+        index = [each.ravel() for each in np.meshgrid(*sizes, indexing="ij")]
+        self.bearing = index[1].astype(int)
+        self.ring_pin, self.circle, self.eccentricity = teeth[index[0].astype(int)].T
+        self.short = self.eccentricity * (demand.lobes + 1) / self.circle
+        self._fit_pins(index[3].astype(int))
+        self._fit_crank()
+        self._fit_width(index[2])
+        self._press_ring()
+        self._press_holes()
+
+    def __len__(self) -> int:
+        return len(self.bearing)
+
+    @property
+    def possible(self) -> NDArray[np.bool_]:
+        """True for designs whose parts fit."""
+        found: NDArray[np.bool_] = ~np.any([*self.failed.values()], axis=0)
+        return found
+
+    @property
+    def reserve(self) -> FloatArray:
+        """Least reserve of each design, 0 if its parts do not fit."""
+        return np.where(self.possible, np.min([*self.reserves.values()], axis=0), 0.0)
+
+    @property
+    def rejected(self) -> dict[str, NDArray[np.bool_]]:
+        """Designs that fail by a check, by its code."""
+        short = {code: ~(reserve >= 1) for code, reserve in self.reserves.items()}
+        return self.failed | short
+
+    def family(self, index: int) -> tuple[tuple[str, float], tuple[str, str]]:
+        """Ring pins and bearings, in which designs differ, each beside the number of pins."""
+        bearing = self.bearings[self.bearing[index]].name
+        return (f"ring pins {self.pins}", float(self.ring_pin[index])), (f"{self.pins}", bearing)
+
+    def _teeth(self) -> FloatArray:
+        """Radius of ring pins, radius of their circle and eccentricity of all teeth, m, as rows."""
+        pins, outer, rows = self.demand.lobes + 1, self.demand.outer_diameter / 2, []
+        for size in pin_sizes()[:, 0]:
+            circle = math.floor((min(outer / HOUSING, outer - LEAST_WALL) - size / 2) * 1e4) / 1e4
+            apart = 2 * circle * math.sin(math.pi / pins)
+            if circle > 0 and apart >= (1 + BETWEEN_PINS) * size:
+                least, most = (each * circle / pins / STEP for each in SHORTENING)
+                steps = np.linspace(math.ceil(least), math.floor(most), ECCENTRICITIES).round()
+                rows += [(size / 2, circle, step * STEP) for step in np.unique(steps) if step > 0]
+        return np.array(rows).reshape(-1, 3)
+
+    def of(self, name: str, which: NDArray[np.int_]) -> FloatArray:
+        """Size or rating of bearings by their index."""
+        return np.array([getattr(each, name) for each in self.bearings])[which]
+
+    def _fit_pins(self, smaller: NDArray[np.int_]) -> None:
+        """Set the largest pins between bearing and teeth, or the next smaller ones."""
+        wall = WALL_GUIDE * 2 * self.circle + ROUNDED
+        inner = self.of("outer_diameter", self.bearing) / 2
+        root = self.circle - self.ring_pin - self.eccentricity
+        self.pin_circle = ((root + inner) * 5e3).round() / 1e4
+        beside = self.pin_circle * math.sin(math.pi / self.pins) - wall / 2
+        band = np.minimum(root - self.pin_circle, self.pin_circle - inner) - wall
+        sizes = pin_sizes()
+        room = np.minimum(band, beside) - self.eccentricity - self.demand.shop.clearance
+        which = np.searchsorted(sizes[:, 1], room, side="right") - 1 - smaller
+        self.failed["wall_bore"] = which < 0
+        self.pin, self.touching = sizes[np.maximum(which, 0)].T
+        less = np.linspace(0, 2, 65)
+        bend, _ = path_bends(short=self.short[:, None], lobes=self.demand.lobes, less=less)
+        bend = bend.max(axis=1)
+        self.failed["ring_undercut"] = NEAR_UNDERCUT * self.ring_pin * bend > self.circle
+
+    def _fit_crank(self) -> None:
+        """Set the smallest bearings of the crankshaft that last, between pins and eccentrics, or
+        the strongest that fit.
+        """
+        across = self.demand.disc_torque / self.discs / (self.eccentricity * self.demand.lobes)
+        widest = self.of("bore_diameter", self.bearing) - 2 * self.eccentricity
+        room = 2 * (self.pin_circle - self.pin / 2 - BESIDE)
+        self.crank, lasts = np.full(len(self), -1), np.zeros(len(self), dtype=bool)
+        for index, each in enumerate(self.bearings):
+            fits = (each.bore_diameter <= widest) & (each.outer_diameter <= room) & ~lasts
+            self.crank[fits] = index
+            lasts |= fits & (self._bears(each, self.demand.input_speed) >= REACTION * across)
+        self.failed["crank_bearing_fits"] = self.crank < 0
+        self.crank = np.maximum(self.crank, 0)
+
+    def _bears(self, bearing: NamedBearing, speed: float) -> float:
+        """Load that a bearing bears for the life, N."""
+        turns = speed / (2 * math.pi) * self.demand.life / 1e6
+        return float(bearing.dynamic_rating / turns ** (1 / EXPONENTS[bearing.kind]))
+
+    def _all_bear(self, which: NDArray[np.int_], speed: float) -> FloatArray:
+        return np.array([self._bears(each, speed) for each in self.bearings])[which]
+
+    def _fit_width(self, part: FloatArray) -> None:
+        """Set the width of the discs, to 0.5 mm, in the length and beside the bearings."""
+        self.plate = np.maximum(PLATE * self.pin, LEAST_PLATE)
+        self.plate = np.maximum(self.plate, self.of("width", self.crank))
+        free, (least_gap, most_gap) = self.demand.length - 2 * self.plate, GAPS
+        gap = np.clip(GAP * free / self.discs, least_gap, most_gap)
+        width = (free - (self.discs + 1) * gap) / self.discs
+        width = np.minimum(width, WIDEST * self.demand.outer_diameter)
+        self.width = np.floor(width * part * 2e3 + 1e-6) / 2e3
+        self.failed["length"] = self.width < NARROWEST
+        self.failed["bearing_fits"] = self.of("width", self.bearing) > self.width
+        self.width = np.maximum(self.width, NARROWEST)
+        self.gap = np.clip(GAP * self.width, least_gap, most_gap)
+        self.span = self.discs * self.width + (self.discs + 1) * self.gap
+
+    @property
+    def length(self) -> FloatArray:
+        """Length of the reducer, m."""
+        found: FloatArray = self.span + 2 * self.plate
+        return found
+
+    @property
+    def places(self) -> list[FloatArray]:
+        """Middle of each disc from the inner face of the carrier, m."""
+        first, pitch = self.gap + self.width / 2, self.width + self.gap
+        return [first + index * pitch for index in range(self.discs)]
+
+    def _pair(self, pin: str) -> tuple[float, float]:
+        """Reduced modulus of a disc and its pins, Pa, and pressure that is estimated to last."""
+        bodies = [MATERIALS[each].material for each in (pin, self.demand.disc)]
+        gives = sum((1 - each.poissons_ratio**2) / each.youngs_modulus for each in bodies)
+        return 1 / gives, min(each.limit.pressure for each in bodies if each.limit) / SAFE
+
+    def _press_ring(self) -> None:
+        """Set the reserves of teeth and of the satellites' bearings by the set of pins that
+        touch: ``F_i = max(l_i*beta - gap, 0)/c`` with ``sum F_i*l_i = T``.
+        """
+        lobes, torque = self.demand.lobes, self.demand.disc_torque / self.discs
+        modulus, limit = self._pair(self.demand.ring_pin)
+        stiff = modulus * self.width / COMPLIANCE
+        gap = self.demand.shop.modification(self.circle)
+        pressed, load = np.zeros(len(self)), np.zeros(len(self))
+        for place in range(POSITIONS):
+            ahead = np.arange(1, (lobes + 1) // 2 + 1) - place / POSITIONS
+            angles = 2 * np.pi / (lobes + 1) * ahead
+            bend, slope = path_bends(
+                short=self.short[:, None], lobes=lobes, less=1 - np.cos(angles)
+            )
+            lever = self.eccentricity[:, None] * lobes * np.sin(angles) / slope
+            force = touching(lever=lever, gap=gap, asked=torque / stiff) * stiff[:, None]
+            bend = bend / self.circle[:, None]
+            curved = 1 / self.ring_pin[:, None] + bend / (1 - self.ring_pin[:, None] * bend)
+            pressed = np.maximum(pressed, (force * np.maximum(curved, 0)).max(axis=1))
+            along = (force * (self.short[:, None] - np.cos(angles)) / slope).sum(axis=1)
+            along -= 4 * torque / (math.pi * self.pin_circle)
+            load = np.maximum(load, np.hypot(torque / (self.eccentricity * lobes), along))
+        pressure = np.sqrt(pressed * modulus / (math.pi * self.width))
+        self.reserves["ring_pressure_disc"] = (limit / pressure) ** 2
+        speed = self.demand.input_speed * (1 + 1 / lobes)
+        self.reserves["bearing_life"] = self._all_bear(self.bearing, speed) / load
+        least = np.array([MIN_LOAD[each.kind] * each.dynamic_rating for each in self.bearings])
+        self.failed["bearing_min_load"] = LEAST * load < least[self.bearing]
+        apart = self.span + self.plate
+        away = [(self.plate / 2 + place) / apart for place in self.places]
+        turns = np.exp(2j * np.pi / self.discs * np.arange(self.discs))
+        ends = [sum(f(z) * t for z, t in zip(away, turns, strict=True)) for f in (_near, _far)]
+        reaction = np.maximum(*map(np.abs, ends)) * load
+        bears = self._all_bear(self.crank, self.demand.input_speed)
+        self.reserves["crank_bearing_life"] = bears / reaction
+
+    def _press_holes(self) -> None:
+        """Set the reserves of holes and pins by the set of pins that touch with their clearance.
+        They bend between both plates, and a disc presses more on the side where a pin slopes.
+        """
+        torque, radius = self.demand.disc_torque / self.discs, self.pin_circle
+        span, at = self.span, self.places[(self.discs - 1) // 2]
+        away = span - at
+        modulus, limit = self._pair(self.demand.pin)
+        elastic = MATERIALS[self.demand.pin].material.youngs_modulus
+        bent = 64 * at * away / (3 * math.pi * elastic * self.pin**4 * span)
+        soft = bent * at * away + COMPLIANCE / (modulus * self.width)
+        clear = np.full(len(self), self.demand.shop.clearance)
+        angles = 2 * np.pi / self.pins * np.arange(self.pins)
+        force = np.zeros(len(self))
+        for place in range(POSITIONS):
+            lever = np.sin(angles + np.pi / self.pins * place / POSITIONS)
+            lever = radius[:, None] * np.maximum(lever, 0.0)
+            given = touching(lever=lever, gap=clear, asked=torque * soft)
+            force = np.maximum(force, given.max(axis=1) / soft)
+        line = modulus / COMPLIANCE * bent * force * abs(away - at)
+        even, edge = force / self.width, line * self.width / 2
+        line = np.where(even > edge, even + edge, np.sqrt(2 * force * line))
+        curved = 1 / self.touching - 1 / (self.touching + self.eccentricity)
+        pressure = np.sqrt(line * curved * modulus / math.pi)
+        self.reserves["contact_pressure_hole"] = (limit / pressure) ** 2
+        stress = 32 * force * at * away / span / (math.pi * self.pin**3)
+        self.reserves["pin_fatigue"] = BENDING / stress
+
+
+def _near(share: FloatArray) -> FloatArray:
+    """Part of a load that the bearing at the carrier takes."""
+    return 1 - share
+
+
+def _far(share: FloatArray) -> FloatArray:
+    """Part of a load that the other bearing takes."""
+    return share
+
+
+def touching(*, lever: FloatArray, gap: FloatArray, asked: FloatArray) -> FloatArray:
+    """Approaches of pins, m, whose sum with their levers is asked, m^2.
+
+    ``lever`` [designs, pins] in m, ``gap`` [designs] in m of all pins, ``asked`` [designs] torque
+    over stiffness.
+    """
+    ordered = -np.sort(-lever, axis=1)
+    first, second = np.cumsum(ordered, axis=1), np.cumsum(ordered**2, axis=1)
+    turn = (asked[:, None] + gap[:, None] * first) / second  # of the first 1, 2, ... pins
+    holds = turn * ordered > gap[:, None]
+    count = np.maximum(holds.sum(axis=1), 1) - 1
+    found = turn[np.arange(len(lever)), count]
+    pressed: FloatArray = np.maximum(lever * found[:, None] - gap[:, None], 0.0)
+    return pressed

@@ -1,0 +1,83 @@
+"""Parts that a shop makes and buys: processes with their materials, clearances and modifications of
+the teeth; diameters of pins; bearings by name.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.bearings import BEARINGS, NamedBearing
+
+ShopName = Literal["ground", "precise", "milled"]
+
+PINS = (3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 14.0, 16.0)
+"""Diameters of hardened and ground parallel pins of ISO 8734, mm."""
+
+SLEEVED, SLEEVE = 8.0, 0.2
+"""Least diameter of output pins with sleeves, mm, and wall of a sleeve over it."""
+
+SERIES = ("60", "62", "63", "68", "69", "NU2", "NU3")
+"""Series of bearings with two rings."""
+
+
+@dataclass(frozen=True, slots=True)
+class Shop:
+    """Parts as a process makes them."""
+
+    code: ShopName  # of the process
+    disc: str  # material of the discs
+    pin: str  # material of pins and ring pins
+    clearance: float  # radial, of pins in holes, m: pieces go together despite their places
+    least_gap: float  # least equidistant modification of the teeth, m
+    gap: float  # and its part of the radius of the ring pin circle
+    friction: float  # coefficient in oil
+
+    def modification(self, circle: Any) -> Any:
+        """Equidistant modification of the teeth by the radius of the ring pin circle, m, to
+        0.001 mm.
+        """
+        return np.round(np.maximum(self.gap * circle, self.least_gap) * 1e6) / 1e6
+
+
+SHOPS: dict[ShopName, Shop] = {
+    each.code: each
+    for each in (
+        Shop("ground", "steel_case_hardened", "steel_bearing", 0.012e-3, 5e-6, 1e-4, 0.05),
+        Shop("precise", "steel_through_hardened", "steel_bearing", 0.03e-3, 10e-6, 2e-4, 0.05),
+        Shop("milled", "steel_through_hardened", "steel_bearing", 0.1e-3, 30e-6, 4e-4, 0.05),
+    )
+}
+"""Shops by the code of their process."""
+
+NOTCH, RELIABILITY = 1.5, 99.0
+"""Notch factor of pins at their seats, and reliability of their fatigue strength, %."""
+
+
+def pin_sizes() -> FloatArray:
+    """Diameters of pins, and radii of what touches their holes, m, as rows: sleeves on pins of 8 mm
+    or more.
+    """
+    rows = [(d, d / 2 if d < SLEEVED else math.ceil((0.5 + SLEEVE) * d * 2) / 2) for d in PINS]
+    return np.array(rows) / 1e3
+
+
+def bought(*, widest: float, most: float) -> list[NamedBearing]:
+    """Bearings up to a width and an outer diameter, m, in ascending order of their dynamic ratings:
+    those of which no other one is smaller outside, narrower, wider in its bore and carries more.
+    """
+    fitting = [
+        each
+        for each in BEARINGS.values()
+        if each.series in SERIES and each.width <= widest and each.outer_diameter <= most
+    ]
+
+    def better(one: NamedBearing, other: NamedBearing) -> bool:
+        sizes = one.outer_diameter <= other.outer_diameter and one.width <= other.width
+        more = one.dynamic_rating > other.dynamic_rating
+        return sizes and more and one.bore_diameter >= other.bore_diameter
+
+    best = [each for each in fitting if not any(better(other, each) for other in fitting)]
+    return sorted(best, key=lambda each: each.dynamic_rating)
