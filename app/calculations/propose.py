@@ -353,7 +353,7 @@ def solve(body: ProposeRequest) -> Values:
     `{"progress": 0.4, "proposal": {...}}` as soon as one is found, and at last `{"result": ...}` or
     `{"problem": ...}`. Closing the connection ends the search.
     """
-    return reporting(body, untold, SHARE * current().max_seconds)
+    return reporting(body, untold, min(SECONDS, SHARE * current().max_seconds))
 
 
 CALCULATION = StudyCalculation(

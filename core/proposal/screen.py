@@ -74,7 +74,7 @@ class Demand:
     """Task of a reducer, in SI units, and its shop."""
 
     torque: float  # of the output, N*m
-    ratio: int
+    ratio: int  # of input to output speed
     outer_diameter: float  # largest one, m
     length: float = math.inf  # largest one, m
     input_speed: float  # rad/s
@@ -84,7 +84,7 @@ class Demand:
     pin_material: str = ""  # likewise, of the output pins
     ring_pin_material: str = ""  # likewise, of the ring pins
     output: str = "pins"  # pins or ring
-    discs: int = 2
+    discs: int = 2  # number of discs
     efficiency: float | None = None  # least one
     backlash: float | None = None  # largest one, rad
 

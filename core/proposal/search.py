@@ -135,7 +135,7 @@ class Tally:
     """Number of designs that a check rejects."""
 
     code: str  # of the check
-    failed: int
+    failed: int  # designs that it rejects
     only_this: int  # designs that hold all else
 
 

@@ -1,0 +1,124 @@
+"""Proposals over REST: each holds when it is posted again, and what cannot be is told why."""
+
+import json
+import math
+from typing import Any
+
+import pytest
+
+from app.examples import REQUESTS
+from app.units import to_si
+from core.bearings import BEARINGS
+from core.precision import EXACT
+from core.proposal.shop import PINS, pin_sizes
+
+pytestmark = pytest.mark.anyio
+
+PATH = "propose"
+EASY = REQUESTS[PATH]
+HARD = {
+    "torque_Nm": 500.0,
+    "ratio": 20,
+    "outer_diameter_mm": 180.0,
+    "length_mm": 90.0,
+    "life_h": 6000.0,
+    "process": "ground",
+}
+
+
+@pytest.mark.parametrize("asked", [EASY | {"wanted": 2}, HARD | {"wanted": 2}])
+async def test_each_proposal_holds_when_it_is_posted(api: Any, asked: dict[str, Any]) -> None:
+    answer = await api.answer(PATH, asked)
+    assert len(answer["proposals"]) == 2 and "nearest" not in answer
+    assert answer["screened"] > 1000 and answer["judged"] >= 2
+    radii = {(d, r) for d, r in pin_sizes().tolist()}
+    for proposal in answer["proposals"]:
+        design, columns = proposal["design"], proposal["columns"]
+        posted = {"include": ["checks", "largest_torque", "envelope"]} | design
+        again = await api.answer("crank-planetary", posted)
+        assert (again["verdict"], again["governing"]) == ("pass", proposal["governing"])
+        assert again["largest_torque_Nm"] == pytest.approx(columns["largest_torque_Nm"], rel=EXACT)
+        assert columns["largest_torque_Nm"] > asked["torque_Nm"]
+        assert again["envelope"]["outer_diameter_mm"] <= asked["outer_diameter_mm"]
+        assert again["envelope"]["length_mm"] == columns["length_mm"] <= asked["length_mm"]
+        checks = {each["code"]: each["status"] for each in again["checks"]}
+        assert {checks[code] for code in ("bearing_fits", "crank_bearing_fits")} == {"pass"}
+        warned = [each["code"] for each in again.get("warnings", ())]
+        assert "ring_deviations_unknown" not in warned  # as the design has tolerances
+        named = [design["bearing"]["name"], *(b["name"] for b in design["crankshaft"]["bearings"])]
+        assert {*named} <= {*BEARINGS}
+        pin = to_si("diameter_mm", design["pin"]["diameter_mm"])
+        assert (pin, to_si("pin_radius_mm", design["contact"]["pin_radius_mm"])) in radii
+        assert 2 * design["gear"]["ring_pin_radius_mm"] in PINS
+        study = await api.answer("tolerance-study", design | answer["study"])
+        (kept,) = study["quantities"]["backlash_max_arcmin"]["percentiles"]
+        assert kept["value"] == pytest.approx(columns["backlash_arcmin"], rel=EXACT)
+
+
+async def test_a_backlash_is_kept_by_nine_tenths_of_the_pieces(api: Any) -> None:
+    loose = (await api.answer(PATH, HARD | {"wanted": 1}))["proposals"][0]["columns"]
+    limit = 0.97 * loose["backlash_arcmin"]
+    answer = await api.answer(PATH, HARD | {"wanted": 1, "max_backlash_arcmin": limit})
+    (kept,) = (each["columns"]["backlash_arcmin"] for each in answer["proposals"])
+    assert kept <= limit
+
+
+async def test_of_a_range_of_ratios_each_may_be_proposed(api: Any) -> None:
+    asked = EASY | {"ratio": {"from": 18, "to": 20}, "wanted": 2}
+    answer = await api.answer(PATH, asked)
+    teeth = {each["design"]["mechanism"]["satellite_teeth"] for each in answer["proposals"]}
+    assert teeth and teeth <= {18, 19, 20}
+
+
+async def test_the_ring_may_be_the_output(api: Any) -> None:
+    asked = EASY | {"output": "ring", "ratio": 21}
+    (proposal,) = (await api.answer(PATH, asked))["proposals"]
+    assert proposal["design"]["mechanism"]["satellite_teeth"] == 20
+    again = await api.answer(
+        "crank-planetary", proposal["design"] | {"include": ["checks", "members"]}
+    )
+    assert again["verdict"] == "pass" and again["members"]["output"] == "ring"
+
+
+async def test_where_none_holds_it_is_told_why(api: Any) -> None:
+    answer = await api.answer(PATH, HARD | {"outer_diameter_mm": 60.0})
+    assert answer["proposals"] == []
+    told = {each["code"]: each for each in answer["tally"]}
+    assert told["bearing_life"]["failed"] == answer["screened"]
+    nearest = answer["nearest"]
+    assert nearest["verdict"] == "fail"
+    assert nearest["lacks"][0]["asked_over_reached"] > 5
+    posted = nearest["design"] | {"include": ["checks"]}
+    failed = (await api.answer("crank-planetary", posted))["checks"]
+    codes = {each["code"] for each in failed if each["status"] == "fail"}
+    assert {each["code"] for each in nearest["lacks"]} == codes
+
+
+async def test_proposals_come_as_they_are_found(api: Any) -> None:
+    lines = []
+    headers = {"accept": "application/x-ndjson"}
+    async with api.stream("POST", PATH, json=EASY | {"wanted": 2}, headers=headers) as response:
+        async for line in response.aiter_lines():
+            lines.append(json.loads(line))
+    *found, last = lines
+    assert [each["proposal"] for each in found] == last["result"]["proposals"]
+    assert [each["progress"] for each in found] == sorted(each["progress"] for each in found)
+    assert math.isclose(found[-1]["progress"], 1.0)
+
+
+@pytest.mark.parametrize(
+    ("change", "pointer", "code"),
+    [
+        ({"ratio": {"from": 10, "to": 40}}, "/ratio/to", "less_than_equal"),
+        ({"ratio": {"from": 10, "to": 9}}, "/ratio/to", "greater_than_equal"),
+        ({"process": "sla"}, "/process", "literal_error"),
+        ({"torque_Nm": 0}, "/torque_Nm", "greater_than_equal"),
+        ({"materials": {"disc": "plastic_pla_printed"}}, "/materials/disc", "literal_error"),
+    ],
+)
+async def test_what_cannot_be_asked_is_refused_at_its_field(
+    api: Any, change: dict[str, Any], pointer: str, code: str
+) -> None:
+    refused = await api.answer(PATH, EASY | change, 422)
+    (error,) = refused["errors"]
+    assert (error["pointer"], error["code"]) == (pointer, code)
