@@ -36,6 +36,7 @@ from core.fields import SMALLEST
 from core.hertz import CRITERIA, LIMIT_SOURCES, VERIFIED, Criterion, Verified
 from core.material_table import ALIASES, MATERIALS
 from core.materials import GROUPS, Fact, Range, Seen, TableMaterial
+from core.proposal.shop import SHOPS, Shop
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, Limits, class_limits
 from core.tolerance.processes import PROCESSES, Process, Size
 from core.work_precision.study import SETTINGS
@@ -274,10 +275,15 @@ class ProcessEntry(ResponseModel, of=Process):
         return cls.model_validate(cls.values(each, **sizes))
 
 
+class ShopOut(ResponseModel, of=Shop):
+    """Parts of a reducer that `/propose` makes by a process."""
+
+
 class ProcessTable(ResponseModel):
     """Manufacturing processes, from coarse to fine."""
 
     processes: list[ProcessEntry]
+    reducers: list[ShopOut] = Field(description="Processes of `/propose`.")
 
 
 class BearingRatingsOut(ResponseModel, of=Ratings):
@@ -576,7 +582,10 @@ async def tolerances(
 @router.get("/processes", operation_id="processes", response_model_exclude_none=True)
 async def processes() -> ProcessTable:
     """Usual deviations of manufacturing processes with sources: guides for unknown tolerances."""
-    return ProcessTable(processes=[ProcessEntry.of(each) for each in PROCESSES.values()])
+    return ProcessTable(
+        processes=[ProcessEntry.of(each) for each in PROCESSES.values()],
+        reducers=[ShopOut.model_validate(ShopOut.values(each)) for each in SHOPS.values()],
+    )
 
 
 @router.get("/examples", operation_id="examples")

@@ -33,18 +33,19 @@ from app.settings import Settings, current
 from app.sources import WANG_2016, YANCHEVSKIY_2021
 from app.units import from_si, to_si
 from core.checks.reserve import NEAR, crank_verdict
+from core.design.mass import mass
 from core.design.results import Results
 from core.errors import Accuracy, if_known
 from core.material_table import MATERIALS
 from core.materials import PLASTICS
 from core.proposal.screen import Demand
-from core.proposal.search import Document, Judged, Search
+from core.proposal.search import Document, Ended, Judged, Search
 from core.proposal.shop import SHOPS, ShopName
 
 SECONDS = 10.0
 """Processor time after which a search judges no further design, s."""
 
-SHARE = 0.5
+SHARE = 0.6
 """Part of the time of a request that a search takes, if it is answered as a whole."""
 
 MOST_RATIOS = 8
@@ -179,6 +180,10 @@ class ColumnsOut(ResponseModel):
 
     outer_diameter_mm: float = result("Outer diameter.", symbol="D")
     length_mm: float = result("Length, without motor, output bearing and seals.", symbol="L")
+    mass_kg: Maybe[float] = result(
+        "Mass, without motor and output bearing; housing, carrier and shaft are estimates.",
+        symbol="m",
+    )
     largest_torque_Nm: Maybe[float] = result("Torque at which the first check fails.")
     backlash_arcmin: Maybe[float] = result(
         "Backlash at the output that nine tenths of the pieces keep: `/tolerance-study` of the "
@@ -234,6 +239,10 @@ class ProposeResponse(ResponseModel):
     )
     screened: int = Field(description="Number of designs that were estimated.")
     judged: int = Field(description="Number of designs that were judged.")
+    ended: Ended = Field(
+        description="Why the search ended: `wanted` as many hold, `time` is over, or `all` others "
+        "promise nothing."
+    )
     accuracy: AccuracyOut = Field(description="That of the largest torques.")
 
 
@@ -306,6 +315,7 @@ class _Found:
         columns = {
             "outer_diameter_mm": from_si("outer_diameter_mm", outside.outer_diameter),
             "length_mm": from_si("length_mm", outside.length),
+            "mass_kg": if_known(lambda: mass(results.design).mass),
             "largest_torque_Nm": largest.largest_torque(torque),
             "backlash_arcmin": self.backlashes.get(id(found)),
             "efficiency": if_known(lambda: float(results.losses.efficiency)),
@@ -338,6 +348,7 @@ def reporting(body: ProposeRequest, report: Report, seconds: float = SECONDS) ->
         "study": STUDY,
         "screened": search.screened,
         "judged": len(search.judged),
+        "ended": search.ended,
         "accuracy": accuracy_values(Accuracy("bracketing", NEAR - 1, search.screened), run_time_us),
     }
     return present(values)

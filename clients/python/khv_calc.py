@@ -126,6 +126,23 @@ class Client:
         with self._answer("POST", calculation, content) as answer:
             return _object(answer.read())
 
+    def ask_as_found(
+        self, calculation: str, body: Mapping[str, Any] | None = None, /, **fields: Any
+    ) -> Iterator[Answer]:
+        """Lines of an answer as the service finds it: ``{"progress": 0.4, "proposal": {...}}`` of
+        `propose`, ``{"progress": 0.25}`` of `tolerance-study`, and at last ``{"result": {...}}``.
+
+        Closing the iterator ends the calculation. `Refused` is raised as by `ask`.
+        """
+        content = _json({**(body or {}), **fields})
+        lines = "application/x-ndjson"
+        with self._answer("POST", calculation, content, accept=lines) as answer:
+            for line in answer.iter_lines():
+                said = _object(line)
+                if "problem" in said:
+                    raise Refused(said["problem"])
+                yield said
+
     def file(
         self, export: str, body: Mapping[str, Any] | None = None, /, **fields: Any
     ) -> tuple[str, bytes]:

@@ -5,7 +5,7 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -18,6 +18,9 @@ from core.proposal.shop import NOTCH, RELIABILITY
 
 Document = dict[str, Any]
 """Design document in SI units, nested as its JSON is."""
+
+Ended = Literal["wanted", "time", "all"]
+"""Reason why a search ended: as many hold as wanted, the time is over, or no other promises to."""
 
 ENOUGH = 1.25
 """Estimated reserve beyond which a shorter design comes first."""
@@ -165,6 +168,7 @@ class Search:
         self._began, self.seconds = time.process_time(), seconds
         self.results_of, self.accepts = results_of, accepts
         self.judged: list[Judged] = []
+        self.ended: Ended = "all"
         self.screens = [
             Screen(demand, pins) for demand in demands for pins in numbers_of_pins(demand)
         ]
@@ -213,9 +217,13 @@ class Search:
         marginal: list[Judged] = []
         passed, tried, shown = 0, set[Any](), Counter[Any]()
         for screen, index, reserve in self._ranked():
-            if passed == wanted or self.spent > self.seconds or reserve <= 0:
+            if passed == wanted:
+                self.ended = "wanted"
                 break
-            if reserve < HOPELESS and len(self.judged) >= NEAREST:
+            if self.spent > self.seconds:
+                self.ended = "time"
+                break
+            if reserve <= 0 or (reserve < HOPELESS and len(self.judged) >= NEAREST):
                 break
             family = screen.family(index)
             if family in tried or any(shown[each] >= ALIKE for each in family):

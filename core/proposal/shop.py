@@ -10,6 +10,7 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.bearings import BEARINGS, NamedBearing
+from core.fields import answer
 
 ShopName = Literal["ground", "precise", "milled"]
 
@@ -27,13 +28,20 @@ SERIES = ("60", "62", "63", "68", "69", "NU2", "NU3")
 class Shop:
     """Parts as a process makes them."""
 
-    code: ShopName  # of the process
-    disc: str  # material of the discs
-    pin: str  # material of pins and ring pins
-    clearance: float  # radial, of pins in holes, m: pieces go together despite their places
-    least_gap: float  # least equidistant modification of the teeth, m
-    gap: float  # and its part of the radius of the ring pin circle
-    friction: float  # coefficient in oil
+    code: ShopName = answer()
+    """Process whose tolerances the parts have."""
+    disc: str = answer()
+    """Material of the discs."""
+    pin: str = answer()
+    """Material of output pins, sleeves and ring pins."""
+    clearance: float = answer("mm")
+    """Radial clearance of pins in their holes: nearly all pieces go together."""
+    least_gap: float = answer("mm")
+    """Least equidistant modification of the teeth."""
+    gap: float = answer()
+    """Equidistant modification of the teeth over the radius of the ring pin circle."""
+    friction: float = answer()
+    """Coefficient of friction in oil."""
 
     def modification(self, circle: Any) -> Any:
         """Equidistant modification of the teeth by the radius of the ring pin circle, m, to

@@ -30,6 +30,7 @@ HARD = {
 async def test_each_proposal_holds_when_it_is_posted(api: Any, asked: dict[str, Any]) -> None:
     answer = await api.answer(PATH, asked)
     assert len(answer["proposals"]) == 2 and "nearest" not in answer
+    assert answer["ended"] == "wanted"
     assert answer["screened"] > 1000 and answer["judged"] >= 2
     radii = {(d, r) for d, r in pin_sizes().tolist()}
     for proposal in answer["proposals"]:
@@ -47,6 +48,8 @@ async def test_each_proposal_holds_when_it_is_posted(api: Any, asked: dict[str, 
         assert "ring_deviations_unknown" not in warned  # as the design has tolerances
         named = [design["bearing"]["name"], *(b["name"] for b in design["crankshaft"]["bearings"])]
         assert {*named} <= {*BEARINGS}
+        weighed = await api.answer("crank-planetary", design | {"include": ["mass"]})
+        assert weighed["mass"]["mass_kg"] == pytest.approx(columns["mass_kg"], rel=EXACT)
         pin = to_si("diameter_mm", design["pin"]["diameter_mm"])
         assert (pin, to_si("pin_radius_mm", design["contact"]["pin_radius_mm"])) in radii
         assert 2 * design["gear"]["ring_pin_radius_mm"] in PINS
@@ -82,7 +85,7 @@ async def test_the_ring_may_be_the_output(api: Any) -> None:
 
 async def test_where_none_holds_it_is_told_why(api: Any) -> None:
     answer = await api.answer(PATH, HARD | {"outer_diameter_mm": 60.0})
-    assert answer["proposals"] == []
+    assert (answer["proposals"], answer["ended"]) == ([], "all")
     told = {each["code"]: each for each in answer["tally"]}
     assert told["bearing_life"]["failed"] == answer["screened"]
     nearest = answer["nearest"]

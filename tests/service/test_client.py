@@ -40,6 +40,14 @@ def test_every_calculation_can_be_asked(calc, name):
     assert calc.ask(name, REQUESTS[name])
 
 
+def test_what_is_found_comes_at_once(calc):
+    *found, last = calc.ask_as_found("propose", REQUESTS["propose"])
+    assert [each["proposal"] for each in found] == last["result"]["proposals"]
+    with pytest.raises(Refused) as caught:
+        next(calc.ask_as_found("propose", REQUESTS["propose"], process="sla"))
+    assert caught.value.faults[0].pointer == "/process"
+
+
 def test_a_file(calc):
     name, content = calc.file("export/dxf", REQUESTS["export/dxf"], parts=["ring_pins"])
     assert name == "ring_pins.dxf" and content.rstrip().endswith(b"EOF")
