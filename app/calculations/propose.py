@@ -45,7 +45,7 @@ from core.proposal.shop import SHOPS, ShopName
 SECONDS = 10.0
 """Processor time after which a search judges no further design, s."""
 
-SHARE = 0.6
+SHARE = 0.4
 """Part of the time of a request that a search takes, if it is answered as a whole."""
 
 MOST_RATIOS = 8
@@ -55,6 +55,7 @@ STUDY: Values = {
     "samples": 256,
     "quantities": ["backlash_max_arcmin"],
     "percentiles": [90.0],
+    "crank_angles": 12,
 }
 """Request of `/tolerance-study` for the pieces of a design, beside the design."""
 
@@ -292,9 +293,9 @@ class _Found:
 
     def __init__(self, body: ProposeRequest, report: Report, seconds: float) -> None:
         self.body = body
-        self.backlashes: dict[int, float | None] = {}
+        self.backlashes: dict[int, float | None] = {}  # by the identity of a document
         self.search = Search(
-            body.demands, results_of=_results, accepts=self._keeps_backlash, seconds=seconds
+            body.demands, results_of=_results, missed=self._missed, seconds=seconds
         )
         self.shown: list[Values] = []
         for found in self.search.run(body.wanted):
@@ -302,10 +303,14 @@ class _Found:
             share = max(len(self.shown) / body.wanted, self.search.spent / seconds)
             report(min(share, 1.0), proposal=self.shown[-1])
 
-    def _keeps_backlash(self, found: Judged) -> bool:
-        kept = backlash_of_pieces(in_json(found.document))
-        self.backlashes[id(found)] = kept
-        return kept is not None and kept <= (self.body.max_backlash_arcmin or math.inf)
+    def _missed(self, document: Document) -> dict[str, float]:
+        """Asked over reached of assembly and backlash, for pieces of a design."""
+        kept = backlash_of_pieces(in_json(document))
+        self.backlashes[id(document)] = kept
+        if kept is None:
+            return {"interference": math.inf}
+        over = kept / (self.body.max_backlash_arcmin or math.inf)
+        return {"backlash": over} if over > 1 else {}
 
     def proposal(self, found: Judged) -> Values:
         """Values of a proposal."""
@@ -317,7 +322,7 @@ class _Found:
             "length_mm": from_si("length_mm", outside.length),
             "mass_kg": if_known(lambda: mass(results.design).mass),
             "largest_torque_Nm": largest.largest_torque(torque),
-            "backlash_arcmin": self.backlashes.get(id(found)),
+            "backlash_arcmin": self.backlashes.get(id(found.document)),
             "efficiency": if_known(lambda: float(results.losses.efficiency)),
         }
         return {
@@ -333,7 +338,10 @@ class _Found:
         found = self.search.nearest
         if self.shown or found is None:
             return None
-        lacks = [{"code": code, "asked_over_reached": r} for code, r in found.ratios.items()]
+        lacks = [
+            {"code": code} | ({"asked_over_reached": over} if math.isfinite(over) else {})
+            for code, over in found.ratios.items()
+        ]
         return self.proposal(found) | {"lacks": lacks}
 
 

@@ -22,6 +22,7 @@ from core.design.document import WALL_GUIDE
 from core.design.layout import GAP, GAPS, HOUSING, LEAST_PLATE, LEAST_WALL, PLATE
 from core.material_table import MATERIALS
 from core.output.mechanism import Mechanism, assembly_angles
+from core.precision import AS_TYPED
 from core.proposal.shop import SHOPS, Shop, bought, pin_sizes
 
 SHORTENING = 0.5, 0.85
@@ -32,6 +33,9 @@ STEP, ECCENTRICITIES = 0.05e-3, 9
 
 PINS = range(4, 13)
 """Numbers of output pins that are tried."""
+
+MOST = 6_000_000
+"""Largest number of designs times their lobes."""
 
 WIDTHS = 1.0, 0.75, 0.5
 """Widths of the discs that are tried, over the largest one."""
@@ -64,6 +68,9 @@ known."""
 
 ROUNDED = 0.15e-3
 """Addition to usual walls for sizes that are rounded, m."""
+
+SPREAD = 1.25
+"""Backlash that nine tenths of the pieces keep over that of perfect parts."""
 
 LEAST = 0.5
 """Least over largest load of a satellite's bearing."""
@@ -145,20 +152,26 @@ def path_bends(*, short: Any, lobes: int, less: Any) -> tuple[FloatArray, FloatA
 
 
 class Screen:
-    """All designs with a number of output pins, as columns in SI units, and what is estimated of
-    them: `failed` by code, and `reserves`, torque over the one that is asked, by code.
+    """Designs of an outer diameter with a number of output pins, as columns in SI units; at most
+    `most` of them are drawn by a seed. By code of a check, `failed` has those that cannot be, and
+    `reserves` estimates what is reached over what is asked.
     """
 
-    def __init__(self, demand: Demand, pins: int) -> None:
+    def __init__(
+        self, demand: Demand, *, pins: int, diameter: float | None = None, most: int | None = None
+    ) -> None:
         self.demand, self.discs, self.pins = demand, demand.discs, pins
+        self.diameter = diameter or demand.outer_diameter
         self.failed: dict[str, NDArray[np.bool_]] = {}
         self.reserves: dict[str, FloatArray] = {}
-        self.bearings = bought(
-            widest=WIDEST * demand.outer_diameter, most=demand.outer_diameter / 2
-        )
+        self.bearings = bought(widest=WIDEST * self.diameter, most=self.diameter / 2)
         teeth = self._teeth()
         sizes = range(len(teeth)), range(len(self.bearings)), WIDTHS, (0, 1)
         index = [each.ravel() for each in np.meshgrid(*sizes, indexing="ij")]
+        most = most or MOST // demand.lobes
+        if len(index[0]) > most:
+            drawn = np.random.default_rng(0).choice(len(index[0]), most, replace=False)
+            index = [each[drawn] for each in index]
         self.bearing = index[1].astype(int)
         self.ring_pin, self.circle, self.eccentricity = teeth[index[0].astype(int)].T
         self.short = self.eccentricity * (demand.lobes + 1) / self.circle
@@ -167,6 +180,7 @@ class Screen:
         self._fit_width(index[2])
         self._press_ring()
         self._press_holes()
+        self._play()
 
     def __len__(self) -> int:
         return len(self.bearing)
@@ -195,7 +209,7 @@ class Screen:
 
     def _teeth(self) -> FloatArray:
         """Radius of ring pins, radius of their circle and eccentricity of all teeth, m, as rows."""
-        pins, outer, rows = self.demand.lobes + 1, self.demand.outer_diameter / 2, []
+        pins, outer, rows = self.demand.lobes + 1, self.diameter / 2, []
         for size in pin_sizes()[:, 0]:
             circle = math.floor((min(outer / HOUSING, outer - LEAST_WALL) - size / 2) * 1e4) / 1e4
             apart = 2 * circle * math.sin(math.pi / pins)
@@ -257,13 +271,13 @@ class Screen:
         free, (least_gap, most_gap) = self.demand.length - 2 * self.plate, GAPS
         gap = np.clip(GAP * free / self.discs, least_gap, most_gap)
         width = (free - (self.discs + 1) * gap) / self.discs
-        width = np.minimum(width, WIDEST * self.demand.outer_diameter)
-        self.width = np.floor(width * part * 2e3 + 1e-6) / 2e3
-        self.failed["length"] = self.width < NARROWEST
+        width = np.minimum(width, WIDEST * self.diameter)
+        self.width = np.maximum(np.floor(width * part * 2e3 + 1e-6) / 2e3, NARROWEST)
         self.failed["bearing_fits"] = self.of("width", self.bearing) > self.width
-        self.width = np.maximum(self.width, NARROWEST)
         self.gap = np.clip(GAP * self.width, least_gap, most_gap)
         self.span = self.discs * self.width + (self.discs + 1) * self.gap
+        if math.isfinite(self.demand.length):
+            self.reserves["length"] = self.demand.length / self.length * (1 + AS_TYPED)
 
     @property
     def length(self) -> FloatArray:
@@ -311,7 +325,7 @@ class Screen:
         speed = self.demand.input_speed * (1 + 1 / lobes)
         self.reserves["bearing_life"] = self._all_bear(self.bearing, speed) / load
         least = np.array([MIN_LOAD[each.kind] * each.dynamic_rating for each in self.bearings])
-        self.failed["bearing_min_load"] = LEAST * load < least[self.bearing]
+        self.slips = LEAST * load < least[self.bearing]
         apart = self.span + self.plate
         away = [(self.plate / 2 + place) / apart for place in self.places]
         turns = np.exp(2j * np.pi / self.discs * np.arange(self.discs))
@@ -319,6 +333,13 @@ class Screen:
         reaction = np.maximum(*map(np.abs, ends)) * load
         bears = self._all_bear(self.crank, self.demand.input_speed)
         self.reserves["crank_bearing_life"] = bears / reaction
+
+    def _play(self) -> None:
+        """Set the reserve of the backlash of pins in holes and of the ring, if one is asked."""
+        if self.demand.backlash:
+            gap = self.demand.shop.modification(self.circle) / self.demand.lobes
+            play = 2 * (self.demand.shop.clearance / self.pin_circle + gap / self.eccentricity)
+            self.reserves["backlash"] = self.demand.backlash / (SPREAD * play)
 
     def _press_holes(self) -> None:
         """Set the reserves of holes and pins by the set of pins that touch with their clearance.

@@ -3,7 +3,7 @@
 import math
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal, NamedTuple
 
@@ -13,7 +13,7 @@ from core.checks.check import Check, Verdict
 from core.checks.reserve import crank_verdict
 from core.design.results import Results
 from core.errors import CalculationError
-from core.proposal.screen import Demand, Screen, numbers_of_pins
+from core.proposal.screen import MOST, Demand, Screen, numbers_of_pins
 from core.proposal.shop import NOTCH, RELIABILITY
 
 Document = dict[str, Any]
@@ -25,6 +25,15 @@ Ended = Literal["wanted", "time", "all"]
 ENOUGH = 1.25
 """Estimated reserve beyond which a shorter design comes first."""
 
+SLIPS = 0.4
+"""Reserve that a satellite's bearing of too little load for its size is worth."""
+
+RANKED = 2000
+"""Number of designs of a screen that may be judged."""
+
+SMALLER = 1.0, 0.8, 0.64
+"""Outer diameters that are tried, over the largest one."""
+
 HOPELESS = 0.6
 """Estimated reserve below which designs are judged only for the one that comes nearest."""
 
@@ -33,6 +42,12 @@ ALIKE = 2
 
 NEAREST = 4
 """Number of designs that are judged for that one, if none promises more."""
+
+
+def diameters(most: float) -> list[float]:
+    """Outer diameters that are tried, m: the largest one to 0.1 um, and smaller ones to 1 mm."""
+    largest, *others = (most * part for part in SMALLER)
+    return [math.floor(largest * 1e7 + 1e-3) / 1e7, *(math.floor(d * 1e3) / 1e3 for d in others)]
 
 
 def document(*, screen: Screen, index: int) -> Document:
@@ -90,7 +105,7 @@ def document(*, screen: Screen, index: int) -> Document:
             "bearings": [{"name": crank.name}, {"name": crank.name}],
         },
         "satellite_body": {"bore_radius": bearing.outer_diameter / 2},
-        "build": {"housing_diameter": demand.outer_diameter},
+        "build": {"housing_diameter": screen.diameter},
         "tolerances": {"process": shop.code},
         "requirements": asked,
     }
@@ -102,11 +117,12 @@ class Judged(NamedTuple):
     document: Document
     results: Results  # of the document
     verdict: Verdict  # under its torque
+    missed: Mapping[str, float]  # asked over reached, above 1, of what holds of perfect parts alone
 
     @property
     def held(self) -> bool:
-        """True if it does what is asked, as far as checks say."""
-        return self.verdict.verdict in ("pass", "marginal")
+        """True if it does what is asked."""
+        return self.verdict.verdict in ("pass", "marginal") and not self.missed
 
     @property
     def ratios(self) -> dict[str, float]:
@@ -116,7 +132,7 @@ class Judged(NamedTuple):
             for each in self.verdict.checks
             if each.status == "fail"
         }
-        return dict(sorted(found.items(), key=lambda item: -item[1]))
+        return dict(sorted((found | {**self.missed}).items(), key=lambda item: -item[1]))
 
     @property
     def worst(self) -> float:
@@ -151,8 +167,8 @@ class Search:
         What is asked, for each ratio.
     results_of : callable
         Results of a document; it may raise `CalculationError`.
-    accepts : callable
-        True if a design that holds also holds what its checks do not say.
+    missed : callable
+        Asked over reached, by code, of what pieces of a design that holds do not keep.
     seconds : float
         Processor time after which no further design is judged, s.
     """
@@ -162,15 +178,23 @@ class Search:
         demands: Iterable[Demand],
         *,
         results_of: Callable[[Document], Results],
-        accepts: Callable[[Judged], bool],
+        missed: Callable[[Document], Mapping[str, float]],
         seconds: float,
     ) -> None:
         self._began, self.seconds = time.process_time(), seconds
-        self.results_of, self.accepts = results_of, accepts
+        self.results_of, self.missed = results_of, missed
         self.judged: list[Judged] = []
+        self.shares: dict[str, float] = {}  # judged over estimated reserve of failed checks
         self.ended: Ended = "all"
+        tried = [
+            (demand, pins, diameter)
+            for demand in demands
+            for pins in numbers_of_pins(demand)
+            for diameter in diameters(demand.outer_diameter)
+        ]
         self.screens = [
-            Screen(demand, pins) for demand in demands for pins in numbers_of_pins(demand)
+            Screen(demand, pins=pins, diameter=diameter, most=MOST // (demand.lobes * len(tried)))
+            for demand, pins, diameter in tried
         ]
         self.screened = sum(map(len, self.screens))
 
@@ -199,14 +223,15 @@ class Search:
 
     def _ranked(self) -> Iterator[tuple[Screen, int, float]]:
         """Designs with the reserve that is estimated, the best first: those with enough reserve by
-        their length, others by their reserve.
+        their volume, others by their reserve.
         """
         best = []
         for number, screen in enumerate(self.screens):
-            reserve, length = screen.reserve, screen.length
-            capped = np.minimum(reserve, ENOUGH)
-            order = np.lexsort((-reserve, length.round(4), -capped))
-            best += [(-capped[i], length[i].round(4), -reserve[i], number, int(i)) for i in order]
+            reserve = screen.reserve
+            volume = screen.length * screen.diameter**2
+            promise = np.minimum(reserve, ENOUGH) - SLIPS * screen.slips
+            order = np.lexsort((volume, -promise))[:RANKED]
+            best += [(-promise[i], volume[i], -reserve[i], number, int(i)) for i in order]
         for _, _, less, number, index in sorted(best):
             yield self.screens[number], index, -less
 
@@ -220,7 +245,7 @@ class Search:
             if passed == wanted:
                 self.ended = "wanted"
                 break
-            if self.spent > self.seconds:
+            if self.spent > self.seconds and self.judged:
                 self.ended = "time"
                 break
             if reserve <= 0 or (reserve < HOPELESS and len(self.judged) >= NEAREST):
@@ -228,9 +253,13 @@ class Search:
             family = screen.family(index)
             if family in tried or any(shown[each] >= ALIKE for each in family):
                 continue
+            if len(self.judged) >= NEAREST and self._fails_likewise(screen, index):
+                continue
             tried.add(family)
             found = self._judge(document(screen=screen, index=index))
-            if not (found and found.held and self.accepts(found)):
+            if found and not found.held:
+                self._learn(screen, index, found.verdict)
+            if not (found and found.held):
                 continue
             shown.update(family)
             if found.verdict.verdict == "pass":
@@ -240,11 +269,26 @@ class Search:
                 marginal.append(found)
         yield from marginal[: wanted - passed]
 
+    def _learn(self, screen: Screen, index: int, found: Verdict) -> None:
+        """Keep the judged over the estimated reserve of checks that fail, the largest of each."""
+        for check in found.checks:
+            if check.status == "fail" and check.code in screen.reserves and check.by_torque:
+                share = check.reserve / float(screen.reserves[check.code][index])
+                self.shares[check.code] = max(share, self.shares.get(check.code, 0.0))
+
+    def _fails_likewise(self, screen: Screen, index: int) -> bool:
+        """True if a check is expected to fail as it did for other designs."""
+        return any(
+            float(screen.reserves[code][index]) * share < 1 for code, share in self.shares.items()
+        )
+
     def _judge(self, made: Document) -> Judged | None:
         """Design judged by the whole calculation; None if it is refused."""
         try:
             results = self.results_of(made)
-            found = Judged(made, results, crank_verdict(results))
+            found = Judged(made, results, crank_verdict(results), {})
+            if found.held:
+                found = found._replace(missed=self.missed(made))
         except CalculationError:
             return None
         self.judged.append(found)

@@ -1,6 +1,7 @@
 """Proposals: estimates of the screen against the whole calculation, and the search."""
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from core.design.sections import SeatedBearing
 from core.design.stated import design_of, section
 from core.design.tolerances import ToleranceSection
 from core.precision import EXACT, HARDLY_KNOWN, SEARCHED
-from core.proposal.screen import Demand, Screen, numbers_of_pins, path_bends, touching
+from core.proposal.screen import SPREAD, Demand, Screen, numbers_of_pins, path_bends, touching
 from core.proposal.search import Search, document
 from core.proposal.shop import SHOPS, bought, pin_sizes
 from core.ring.profile import Modification
@@ -63,15 +64,15 @@ def results_of(stated: dict[str, Any]) -> Results:
     return Results(design_of({name: each for name, each in made.items() if name != "tolerances"}))
 
 
-def hold(_: Any) -> bool:
-    """Accept any design."""
-    return True
+def keeps(_: Any) -> dict[str, float]:
+    """Pieces of any design keep what is asked."""
+    return {}
 
 
 @pytest.mark.parametrize("demand", [SMALL, LARGE, RING, SOFT])
 def test_estimates_are_near_what_is_judged(demand: Demand) -> None:
     """Designs are drawn from the better half by a seed."""
-    screen = Screen(demand, numbers_of_pins(demand)[0])
+    screen = Screen(demand, pins=numbers_of_pins(demand)[0])
     reserve = screen.reserve
     better = np.flatnonzero(reserve > np.median(reserve[reserve > 0.3]))
     for index in np.random.default_rng(57).choice(better, 5, replace=False):
@@ -158,7 +159,7 @@ def test_pins_are_of_the_standard_and_sleeves_thicker() -> None:
 
 @pytest.mark.parametrize("demand", [SMALL, LARGE])
 def test_a_search_holds_what_is_asked_of_different_parts(demand: Demand) -> None:
-    search = Search([demand], results_of=results_of, accepts=hold, seconds=60.0)
+    search = Search([demand], results_of=results_of, missed=keeps, seconds=60.0)
     found = list(search.run(3))
     assert [each.verdict.verdict for each in found] == ["pass"] * 3
     assert search.nearest is None or all(each.held for each in found)
@@ -175,7 +176,7 @@ def test_a_search_holds_what_is_asked_of_different_parts(demand: Demand) -> None
 
 def test_what_is_too_small_is_told_why() -> None:
     tiny = Demand(torque=500.0, ratio=20, outer_diameter=0.06, shop=SHOPS["ground"], **CYLINDER)
-    search = Search([tiny], results_of=results_of, accepts=hold, seconds=60.0)
+    search = Search([tiny], results_of=results_of, missed=keeps, seconds=60.0)
     assert list(search.run(5)) == []
     tally = {each.code: each for each in search.tally}
     assert {"bearing_life", "ring_pressure_disc", "pin_fatigue"} <= {*tally}
@@ -186,16 +187,28 @@ def test_what_is_too_small_is_told_why() -> None:
     assert "bearing_life" in search.nearest.ratios
 
 
-def test_what_is_refused_and_what_is_not_accepted_is_no_proposal() -> None:
-    search = Search([SMALL], results_of=results_of, accepts=lambda found: False, seconds=1.0)
-    assert list(search.run(2)) == [] and search.judged
+def test_what_pieces_do_not_keep_is_no_proposal() -> None:
+    search = Search([SMALL], results_of=results_of, missed=lambda _: {"backlash": 1.5}, seconds=1.0)
+    assert list(search.run(2)) == []
+    assert search.nearest is not None and search.nearest.ratios == {"backlash": 1.5}
+
+
+def test_a_small_backlash_is_expected_of_large_pin_circles() -> None:
+    """Estimated against the solved backlash of perfect parts."""
+    screen = Screen(replace(LARGE, backlash=1e-3), pins=8)
+    best = np.argsort(-screen.reserve)[:400:100]
+    for index in best:
+        results = results_of(document(screen=screen, index=int(index)))
+        play = crank_verdict(results)["backlash"].value
+        estimated = 1e-3 / screen.reserves["backlash"][index] / SPREAD
+        assert 0.8 < estimated / float(play or 0) < 1.1
 
 
 def test_of_the_best_quarter_the_screen_has_nine_tenths() -> None:
     """Designs, drawn by a seed, are ranked by the torque at which the first check fails."""
     draw, held, ranked = np.random.default_rng(57), [], []
     for demand in (SMALL, LARGE, RING):
-        screen = Screen(demand, numbers_of_pins(demand)[0])
+        screen = Screen(demand, pins=numbers_of_pins(demand)[0])
         possible = np.flatnonzero(screen.possible & (screen.reserve > 0.2))
         for index in draw.choice(possible, 10 * TIMES, replace=False):
             judged = crank_verdict(results_of(document(screen=screen, index=int(index))))
