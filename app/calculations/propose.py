@@ -32,6 +32,7 @@ from app.problems import refusal
 from app.settings import Settings, current
 from app.sources import WANG_2016, YANCHEVSKIY_2021
 from app.units import from_si, to_si
+from core.checks.cold_yield import cold_yield
 from core.checks.reserve import NEAR, crank_verdict
 from core.design.mass import mass
 from core.design.results import Results
@@ -69,16 +70,24 @@ METALS = tuple(
 )
 """Materials with a known limit of the contact pressure."""
 
+SOFT = tuple(
+    name
+    for name, each in MATERIALS.items()
+    if each.group in PLASTICS and not each.missing and each.material.strengths
+)
+"""Plastics of known strength."""
+
 if TYPE_CHECKING:
     Metal = str
+    DiscMaterial = str
 else:
-    Metal = Literal[METALS]
+    Metal, DiscMaterial = Literal[METALS], Literal[METALS + SOFT]
 
 
 class MaterialsFields(RequestModel, group="propose"):
     """Materials by name in place of those of the process."""
 
-    disc: Maybe[Metal] = quantity("Discs", help="Material of the discs.")
+    disc: Maybe[DiscMaterial] = quantity("Discs", help="Material of the discs.")
     pins: Maybe[Metal] = quantity("Output pins", help="Material of the output pins and sleeves.")
     ring_pins: Maybe[Metal] = quantity("Ring pins", help="Material of the ring pins.")
 
@@ -110,8 +119,12 @@ class ProposeRequest(RequestModel, group="propose"):
     input_speed_rpm: float = quantity(
         "Input speed", "n₁", help="Speed of the crankshaft.", default=1500.0, ge=1, le=20_000
     )
-    life_h: float = quantity(
-        "Life", "L_h", help="Life that bearings and teeth last.", default=5000.0, ge=10, le=2e5
+    life_h: Maybe[float] = quantity(
+        "Life",
+        "L_h",
+        help="Life that bearings and teeth last: 5,000 h if none is given, 500 h of plastic discs.",
+        ge=10,
+        le=2e5,
     )
     process: ShopName = quantity(
         "Process",
@@ -164,7 +177,7 @@ class ProposeRequest(RequestModel, group="propose"):
                 outer_diameter=to_si("outer_diameter_mm", self.outer_diameter_mm),
                 length=to_si("length_mm", self.length_mm) or math.inf,
                 input_speed=to_si("input_speed_rpm", self.input_speed_rpm),
-                life=to_si("life_h", self.life_h),
+                life=to_si("life_h", self.life_h) or SHOPS[self.process].life,
                 shop=SHOPS[self.process],
                 disc_material=chosen.get("disc", ""),
                 pin_material=chosen.get("pins", ""),
@@ -186,6 +199,12 @@ class ColumnsOut(ResponseModel):
         symbol="m",
     )
     largest_torque_Nm: Maybe[float] = result("Torque at which the first check fails.")
+    yield_torque_Nm: Maybe[float] = result(
+        "Torque at which plastic discs yield at once, in place of the largest torque."
+    )
+    lasting_torque_Nm: Maybe[float] = result(
+        "Quarter of that torque, at which the stress is half of the strength."
+    )
     backlash_arcmin: Maybe[float] = result(
         "Backlash at the output that nine tenths of the pieces keep: `/tolerance-study` of the "
         "design with `study`."
@@ -317,11 +336,14 @@ class _Found:
         results = found.results
         torque, outside = results.design.output_torque, results.design.envelope
         largest = crank_verdict(results, largest=True) if found.held else found.verdict
+        soft = cold_yield(results=results, found=found.verdict)
         columns = {
             "outer_diameter_mm": from_si("outer_diameter_mm", outside.outer_diameter),
             "length_mm": from_si("length_mm", outside.length),
             "mass_kg": if_known(lambda: mass(results.design).mass),
             "largest_torque_Nm": largest.largest_torque(torque),
+            "yield_torque_Nm": soft and soft.torque,
+            "lasting_torque_Nm": soft and soft.quarter,
             "backlash_arcmin": self.backlashes.get(id(found.document)),
             "efficiency": if_known(lambda: float(results.losses.efficiency)),
         }

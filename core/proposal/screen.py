@@ -20,6 +20,7 @@ from core.crank.bearing_life import EXPONENTS
 from core.crank.envelope import MIN_LOAD
 from core.design.document import WALL_GUIDE
 from core.design.layout import GAP, GAPS, HOUSING, LEAST_PLATE, LEAST_WALL, PLATE
+from core.hertz import first_yield
 from core.material_table import MATERIALS
 from core.output.mechanism import Mechanism, assembly_angles
 from core.precision import AS_TYPED
@@ -114,6 +115,12 @@ class Demand:
     def ring_pin(self) -> str:
         """Name of the material of the ring pins."""
         return self.ring_pin_material or self.shop.pin
+
+    @property
+    def friction(self) -> float:
+        """Coefficient of friction: that of a plastic on steel if it is known, or of the shop."""
+        plastic = MATERIALS[self.disc].material.plastic
+        return plastic.friction.usual if plastic and plastic.friction else self.shop.friction
 
     @property
     def disc_torque(self) -> float:
@@ -295,7 +302,14 @@ class Screen:
         """Reduced modulus of a disc and its pins, Pa, and pressure that is estimated to last."""
         bodies = [MATERIALS[each].material for each in (pin, self.demand.disc)]
         gives = sum((1 - each.poissons_ratio**2) / each.youngs_modulus for each in bodies)
-        return 1 / gives, min(each.limit.pressure for each in bodies if each.limit) / SAFE
+        limits = [each.limit.pressure / SAFE for each in bodies if each.limit]
+        limits += [
+            each.yield_strength
+            * first_yield(poissons_ratio=each.poissons_ratio, friction=self.demand.friction)
+            for each in bodies
+            if each.plastic and each.yield_strength
+        ]
+        return 1 / gives, min(limits)
 
     def _press_ring(self) -> None:
         """Set the reserves of teeth and of the satellites' bearings by the set of pins that

@@ -10,6 +10,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from core.checks.check import Check, Verdict
+from core.checks.contacts import PLASTICS
 from core.checks.reserve import crank_verdict
 from core.design.results import Results
 from core.errors import CalculationError
@@ -90,14 +91,14 @@ def document(*, screen: Screen, index: int) -> Document:
             "fatigue_notch_factor": NOTCH,
             "reliability_percent": RELIABILITY,
         },
-        "friction": {"coefficient": shop.friction, "sleeve": at["touching"] > 0.51 * at["pin"]},
+        "friction": {"coefficient": demand.friction, "sleeve": at["touching"] > 0.51 * at["pin"]},
         "gear": {
             "kind": "cycloid",
             "ring_pin_circle_radius": at["circle"],
             "ring_pin_radius": at["ring_pin"],
             "modification": {"equidistant": float(shop.modification(at["circle"]))},
             "pin_material": demand.ring_pin,
-            "friction_coefficient": shop.friction,
+            "friction_coefficient": demand.friction,
         },
         "bearing": {"name": bearing.name},
         "crankshaft": {
@@ -106,9 +107,21 @@ def document(*, screen: Screen, index: int) -> Document:
         },
         "satellite_body": {"bore_radius": bearing.outer_diameter / 2},
         "build": {"housing_diameter": screen.diameter},
-        "tolerances": {"process": shop.code},
+        "tolerances": {"process": shop.code}
+        | ({"pin_process": shop.pin_process} if shop.pin_process else {}),
         "requirements": asked,
     }
+
+
+FIRST_YIELD = ("contact_static_cold", "ring_static_cold")
+"""Checks of the first yield of plastic holes and teeth."""
+
+OF_PLASTICS = {each.code for each in PLASTICS} | {
+    *FIRST_YIELD,
+    "contact_pressure_hole",
+    "ring_pressure_disc",
+}
+"""Checks that may stay open of discs of plastic."""
 
 
 class Judged(NamedTuple):
@@ -120,9 +133,37 @@ class Judged(NamedTuple):
     missed: Mapping[str, float]  # asked over reached, above 1, of what holds of perfect parts alone
 
     @property
+    def plastic(self) -> bool:
+        """True if only checks of plastics are open, which no source can close, and the torque is
+        below that at which the plastic yields.
+        """
+        checks = self.verdict.checks
+        open_codes = {each.code for each in checks if each.opens}
+        parts = {each.code for each in self.verdict.parts if each.status == "open"}
+        named = {each.code: each for each in checks if each.code in FIRST_YIELD}
+        below = all(each.by_torque and not _yields(each) for each in named.values())
+        return (
+            len(named) == len(FIRST_YIELD)
+            and below
+            and open_codes <= OF_PLASTICS
+            and parts <= {"contact", "teeth"}
+        )
+
+    @property
+    def passed(self) -> bool:
+        """True if all checks pass, but for those of plastics that no source can close."""
+        return self.verdict.verdict == "pass" or (
+            self.verdict.verdict == "incomplete"
+            and self.plastic
+            and not any(each.status == "marginal" for each in self.verdict.parts)
+        )
+
+    @property
     def held(self) -> bool:
         """True if it does what is asked."""
-        return self.verdict.verdict in ("pass", "marginal") and not self.missed
+        said = self.verdict.verdict
+        holds = said in ("pass", "marginal") or (said == "incomplete" and self.plastic)
+        return holds and not self.missed
 
     @property
     def ratios(self) -> dict[str, float]:
@@ -130,7 +171,7 @@ class Judged(NamedTuple):
         found = {
             each.code: asked_over_reached(each)
             for each in self.verdict.checks
-            if each.status == "fail"
+            if each.status == "fail" or (each.code in FIRST_YIELD and _yields(each))
         }
         return dict(sorted((found | {**self.missed}).items(), key=lambda item: -item[1]))
 
@@ -138,6 +179,11 @@ class Judged(NamedTuple):
     def worst(self) -> float:
         """Largest of these ratios; infinite if the verdict is open for another reason."""
         return max(self.ratios.values(), default=math.inf)
+
+
+def _yields(check: Check) -> bool:
+    """True if a check of the first yield does not hold at the least strength."""
+    return check.by_torque and check.reserve < 1
 
 
 def asked_over_reached(check: Check) -> float:
@@ -262,7 +308,7 @@ class Search:
             if not (found and found.held):
                 continue
             shown.update(family)
-            if found.verdict.verdict == "pass":
+            if found.passed:
                 passed += 1
                 yield found
             else:

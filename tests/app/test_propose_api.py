@@ -16,6 +16,7 @@ pytestmark = pytest.mark.anyio
 
 PATH = "propose"
 EASY = REQUESTS[PATH]
+SLOW = {"input_speed_rpm": 300.0}
 HARD = {
     "torque_Nm": 500.0,
     "ratio": 20,
@@ -83,6 +84,42 @@ async def test_the_ring_may_be_the_output(api: Any) -> None:
     assert again["verdict"] == "pass" and again["members"]["output"] == "ring"
 
 
+PRINTED = {"torque_Nm": 1.0, "ratio": 15, "outer_diameter_mm": 90.0, "length_mm": 40.0}
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        PRINTED | {"process": "fdm"},
+        PRINTED
+        | {"process": "fdm", "torque_Nm": 2.5, "materials": {"disc": "plastic_abs_printed"}},
+        {"torque_Nm": 2.0, "ratio": 10, "outer_diameter_mm": 60.0, "process": "sls"},
+    ],
+)
+async def test_discs_of_plastic_hold_below_their_first_yield(
+    api: Any, asked: dict[str, Any]
+) -> None:
+    (proposal,) = (await api.answer(PATH, SLOW | asked | {"wanted": 1}))["proposals"]
+    columns = proposal["columns"]
+    again = await api.answer("crank-planetary", proposal["design"] | {"include": ["checks"]})
+    assert again["verdict"] == proposal["verdict"] == "incomplete"
+    parts = {each["code"]: each["status"] for each in again["parts"]}
+    assert {code for code, status in parts.items() if status == "open"} == {"contact", "teeth"}
+    assert "fail" not in {each["status"] for each in again["checks"]}
+    assert again["cold_yield"]["torque_Nm"] == pytest.approx(columns["yield_torque_Nm"], rel=EXACT)
+    assert columns["yield_torque_Nm"] >= asked["torque_Nm"]
+    quarter = columns["yield_torque_Nm"] / 4
+    assert columns["lasting_torque_Nm"] == pytest.approx(quarter, rel=EXACT)
+    assert "largest_torque_Nm" not in columns
+    assert proposal["design"]["requirements"]["life_h"] == 500
+
+
+async def test_where_plastic_yields_the_nearest_says_so(api: Any) -> None:
+    answer = await api.answer(PATH, SLOW | PRINTED | {"process": "fdm", "torque_Nm": 5.0})
+    assert answer["proposals"] == []
+    assert answer["nearest"]["lacks"][0]["code"] == "ring_static_cold"
+
+
 async def test_where_none_holds_it_is_told_why(api: Any) -> None:
     answer = await api.answer(PATH, HARD | {"outer_diameter_mm": 60.0})
     assert (answer["proposals"], answer["ended"]) == ([], "all")
@@ -116,7 +153,7 @@ async def test_proposals_come_as_they_are_found(api: Any) -> None:
         ({"ratio": {"from": 10, "to": 9}}, "/ratio/to", "greater_than_equal"),
         ({"process": "sla"}, "/process", "literal_error"),
         ({"torque_Nm": 0}, "/torque_Nm", "greater_than_equal"),
-        ({"materials": {"disc": "plastic_pla_printed"}}, "/materials/disc", "literal_error"),
+        ({"materials": {"pins": "plastic_pla_printed"}}, "/materials/pins", "literal_error"),
     ],
 )
 async def test_what_cannot_be_asked_is_refused_at_its_field(
