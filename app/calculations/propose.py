@@ -6,7 +6,7 @@ from dataclasses import asdict
 from functools import cache
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import BeforeValidator, Field
 
 from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
@@ -27,6 +27,7 @@ from app.model import (
     result,
     timed,
     untold,
+    whole,
 )
 from app.problems import refusal
 from app.settings import Settings, current
@@ -87,24 +88,27 @@ else:
 class MaterialsFields(RequestModel, group="propose"):
     """Materials by name in place of those of the process."""
 
-    disc: Maybe[DiscMaterial] = quantity("Discs", help="Material of the discs.")
-    pins: Maybe[Metal] = quantity("Output pins", help="Material of the output pins and sleeves.")
-    ring_pins: Maybe[Metal] = quantity("Ring pins", help="Material of the ring pins.")
-
-
-class RatiosFields(RequestModel, group="propose"):
-    """Range of ratios."""
-
-    low: Whole = Field(alias="from", ge=5, le=119, description="Least ratio.")
-    to: Whole = Field(ge=5, le=119, description="Largest ratio.")
+    disc: Maybe[DiscMaterial] = quantity("Material of the discs", help="In place of that of the process.")
+    pins: Maybe[Metal] = quantity(
+        "Material of the output pins", help="And of sleeves; in place of that of the process."
+    )
+    ring_pins: Maybe[Metal] = quantity(
+        "Material of the ring pins", help="In place of that of the process."
+    )
 
 
 class ProposeRequest(RequestModel, group="propose"):
     """Task of a reducer with cycloid discs, and how it is made."""
 
     torque_Nm: Size = quantity("Output torque", "T₂", help="Torque of the output.")
-    ratio: Annotated[Whole, Field(ge=5, le=119)] | RatiosFields = Field(
-        description=f"Ratio, a whole number from 5 to 119, or a range of at most {MOST_RATIOS}."
+    ratio: Whole = quantity(
+        "Ratio", "i", help="Speed of the input over that of the output.", ge=5, le=119
+    )
+    ratio_to: Maybe[Whole] = quantity(
+        "Largest ratio",
+        help=f"Largest of at most {MOST_RATIOS} ratios that are tried, from the ratio on.",
+        ge=5,
+        le=119,
     )
     outer_diameter_mm: float = quantity(
         "Largest outer diameter", "D", help="Diameter that the reducer may have.", ge=30, le=600
@@ -149,9 +153,7 @@ class ProposeRequest(RequestModel, group="propose"):
     @property
     def ratios(self) -> range:
         """Ratios that are tried."""
-        asked = self.ratio
-        low, high = (asked, asked) if isinstance(asked, int) else (asked.low, asked.to)
-        return range(low, high + 1)
+        return range(self.ratio, (self.ratio_to or self.ratio) + 1)
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse an empty range of ratios, and one with too many of them."""
@@ -160,7 +162,7 @@ class ProposeRequest(RequestModel, group="propose"):
         if not 1 <= count <= MOST_RATIOS:
             code = "less_than_equal" if count else "greater_than_equal"
             limit = low + MOST_RATIOS - 1 if count else low
-            raise refusal("/ratio/to", code, limit=limit)
+            raise refusal("/ratio_to", code, limit=limit)
 
     def cost(self) -> float:
         """Infinite, as a search takes seconds."""

@@ -779,6 +779,8 @@ export default {
     output_power_W: "Output power",
     mean_total_force_ratio: "Sum of all forces over T/R, mean",
     mean_loss_W: "Mean loss",
+    output: "Output",
+    min_efficiency: "Least efficiency",
     max_efficiency: "Largest efficiency",
     peak_pv_MPa_m_per_s: "Peak pv",
     mean_pv_MPa_m_per_s: "Mean pv",

@@ -68,7 +68,7 @@ async def test_a_backlash_is_kept_by_nine_tenths_of_the_pieces(api: Any) -> None
 
 
 async def test_of_a_range_of_ratios_each_may_be_proposed(api: Any) -> None:
-    asked = EASY | {"ratio": {"from": 18, "to": 20}, "wanted": 2}
+    asked = EASY | {"ratio": 18, "ratio_to": 20, "wanted": 2}
     answer = await api.answer(PATH, asked)
     teeth = {each["design"]["mechanism"]["satellite_teeth"] for each in answer["proposals"]}
     assert teeth and teeth <= {18, 19, 20}
@@ -149,8 +149,8 @@ async def test_proposals_come_as_they_are_found(api: Any) -> None:
 @pytest.mark.parametrize(
     ("change", "pointer", "code"),
     [
-        ({"ratio": {"from": 10, "to": 40}}, "/ratio/to", "less_than_equal"),
-        ({"ratio": {"from": 10, "to": 9}}, "/ratio/to", "greater_than_equal"),
+        ({"ratio": 10, "ratio_to": 40}, "/ratio_to", "less_than_equal"),
+        ({"ratio": 10, "ratio_to": 9}, "/ratio_to", "greater_than_equal"),
         ({"process": "sla"}, "/process", "literal_error"),
         ({"torque_Nm": 0}, "/torque_Nm", "greater_than_equal"),
         ({"materials": {"pins": "plastic_pla_printed"}}, "/materials/pins", "literal_error"),

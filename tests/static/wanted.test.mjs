@@ -71,7 +71,7 @@ test("fields are made of the schema of an endpoint of its own, and of what is sa
 
 test("in English a box says what its own request does, whatever another one says of a field of this name", () => {
   const [title, help] = ["Pins", "Of this job."];
-  assert.notEqual(fieldWords("pins").help, help);
+  assert.notEqual(fieldWords("pins", "mechanism").help, help);
   const asked = structuredClone(OPENAPI);
   Object.assign(asked.components.schemas.Mechanism.properties.pins, { title, description: help });
   const made = formModel(asked, { path: "/api/v1/job", groups: ["mechanism"], words: ownWords }).fields.get("mechanism.pins");
