@@ -2,7 +2,8 @@
  * Asking the service for a group that is off until wanted, or that `shows` by itself: a `live` one beside the results,
  * another when it is run. Loaded when the first is shown.
  *
- * `logic.asked(input)` is the body of the request, `logic.ask({ client, body, signal, progressed })` its answer.
+ * `logic.asked(input)` is the body of the request, `logic.ask({ client, body, signal, progressed })` its answer; on the
+ * way `progressed(share, part)` tells how far it is, and a part of the group's state.
  */
 import { newestOnly } from "./lib/api.js";
 import { besided, refusedBesides, wants } from "./store.js";
@@ -37,7 +38,7 @@ export function createBeside({ store, client, id, logic, shows = (state) => want
     const body = JSON.parse(request);
     store.apply(besided, id, { typed, request, body, phase: "computing", progress: undefined, refusal: null });
     const { answer, problem, superseded } = await newest.ask((signal) =>
-      logic.ask({ client, body, signal, progressed: (progress) => signal.aborted || store.apply(besided, id, { progress }) }));
+      logic.ask({ client, body, signal, progressed: (progress, part) => signal.aborted || store.apply(besided, id, { progress, ...part }) }));
     if (superseded) return;
     if (!problem) {
       store.apply(besided, id, { answer, of: request, phase: "fresh" });

@@ -43,7 +43,7 @@ async function problemOf(response) {
   return problemFrom(body, response.status, response.statusText, Number.isFinite(seconds) ? 1000 * seconds : 0);
 }
 
-/** What a stream of lines ends with: the answer, or the problem thrown; `progressed(share)` is told on the way. */
+/** What a stream of lines ends with: the answer, or the problem thrown; `progressed(share, found)` is told on the way, with what a line says besides. */
 async function lastOf(body, progressed) {
   const reader = body.pipeThrough(new TextDecoderStream()).getReader();
   for (let rest = ""; ;) {
@@ -51,10 +51,10 @@ async function lastOf(body, progressed) {
     const lines = (rest + (value ?? "")).split("\n");
     rest = done ? "" : lines.pop();
     for (const line of lines.filter((one) => one.trim() !== "")) {
-      const { progress, result, problem } = JSON.parse(line);
+      const { progress, result, problem, ...found } = JSON.parse(line);
       if (problem) throw problemFrom(problem, problem.status, "");
       if (result) return result;
-      if (progress !== undefined) progressed(progress);
+      if (progress !== undefined) progressed(progress, found);
     }
     if (done) throw new Problem({ title: "unreachable" }); // it ended before its end
   }
@@ -73,8 +73,8 @@ async function fileOf(response) {
 }
 
 /**
- * `get(path)` and `post(path, body, { signal, query })` below `base`, which is below the page; with `progressed(share)`
- * the answer may come as lines that say how far it is; what is posted `aside` waits for all else that is posted, gives way
+ * `get(path)` and `post(path, body, { signal, query })` below `base`, which is below the page; with `progressed(share, found)`
+ * the answer may come as lines that say how far it is and what was found; what is posted `aside` waits for all else that is posted, gives way
  * to it, and is asked again. `file(path, body)` answers `{ name, content }`.
  */
 export function createClient({ base = "/api/v1", fetch = globalThis.fetch } = {}) {

@@ -5,6 +5,7 @@ import { message } from "../messages/index.js";
 import { warningText } from "../service_texts.js";
 import { following, hinderedBesides } from "../store.js";
 import { sign } from "./parts.js";
+import { createRun } from "./run.js";
 
 const [WIDTH, HEIGHT] = [600, 150];
 
@@ -43,21 +44,19 @@ function rankedMarkup(title, rows) {
 
 export function createView({ id, logic, asking, fold, titles }) {
   const root = element(html`<div class="study"><p class="state">${message("study.idleYet")}</p><div class="outcome"></div></div>`);
-  const controls = element(html`
-    <div class="study-run"><div class="run">
-        <button type="button" class="primary" data-do="run">${message("study.run")}</button>
-        <button type="button" class="toggle" data-do="stop" disabled>${message("study.stop")}</button>
-        <button type="button" class="link" data-do="see" hidden>${message("study.see")}</button>
-        <progress max="1" value="0" aria-label="${message("study.running")}"></progress></div>
-      <p class="state note" role="status">${message("study.idleYet")}</p></div>`);
-  const [run, stop, see] = controls.querySelectorAll("button");
-  const bar = controls.querySelector("progress");
-  const lines = [controls, root].map((part) => part.querySelector(".state"));
-  run.addEventListener("click", () => {
-    fold.open(); // there its results come
-    asking.ask();
+  const run = createRun({
+    run: message("study.run"), stop: message("study.stop"), running: message("study.running"), idle: message("study.idleYet"),
+    on: {
+      run() {
+        fold.open(); // there its results come
+        asking.ask();
+      },
+      stop: () => asking.stop(),
+    },
   });
-  stop.addEventListener("click", () => asking.stop());
+  const line = root.querySelector(".state");
+  const see = element(html`<button type="button" class="link" data-do="see" hidden>${message("study.see")}</button>`);
+  run.root.querySelector("progress").before(see);
   see.addEventListener("click", () => {
     fold.open();
     root.closest("section").scrollIntoView();
@@ -81,7 +80,7 @@ export function createView({ id, logic, asking, fold, titles }) {
   return {
     root,
     /** What starts and stops it, for the form. */
-    controls,
+    controls: run.root,
     update(state) {
       const now = state.besides[id] ?? {};
       const { phase, progress, answer, body, of, refusal } = now;
@@ -89,24 +88,16 @@ export function createView({ id, logic, asking, fold, titles }) {
       const { reading: { input } } = state;
       const older = Boolean(answer) && JSON.stringify(logic.asked(input)) !== of;
       if (phase) root.dataset.begun = "true";
-      const held = [run, stop].includes(document.activeElement); // a button that is disabled would lose it
-      run.disabled = running;
-      run.textContent = message(answer && !older ? "study.again" : "study.run");
-      stop.disabled = !running;
-      if (held) (running ? stop : run).focus();
-      bar.classList.toggle("idle", !running);
-      if (running && progress === undefined) bar.removeAttribute("value");
-      else bar.value = running ? progress : 0;
       const words = {
         computing: progress === undefined ? message("study.running") : message("study.done", { percent: Math.round(100 * progress) }),
         incomplete: message("besides.needed", { fields: hinderedBesides(state, id) }),
         stopped: message("besides.stopped"), refused: refusal?.text, failed: refusal?.text,
       }[phase] ?? (answer ? "" : message("study.idleYet"));
       see.hidden = !answer || running;
-      for (const line of lines) {
-        line.textContent = [words, older && message("besides.older")].filter(Boolean).join(" ");
-        line.classList.toggle("bad", phase === "refused" || phase === "failed");
-      }
+      const text = [words, older && message("besides.older")].filter(Boolean).join(" ");
+      run.update(now, text, message(answer && !older ? "study.again" : "study.run"));
+      line.textContent = text;
+      line.classList.toggle("bad", phase === "refused" || phase === "failed");
       root.querySelector(".outcome").dataset.stale = String(older || running);
       outcome({ answer, body: body ?? {} });
     },

@@ -137,7 +137,7 @@ def test_tolerances_may_be_those_of_how_the_parts_are_made(page: Page, service: 
     expect(box(page, "tolerances.process")).to_have_value("sla")
     for name in ("pin_position_mm", "hole_position_mm", "pin_diameter.class"):
         expect(box(page, f"tolerances.{name}")).to_be_hidden()
-    page.locator('[data-group="study"] .study-run').get_by_role("button", name="Run").click()
+    page.locator('[data-group="study"] .running').get_by_role("button", name="Run").click()
     words = page.locator(".study .sentences")
     expect(words).to_contain_text("Made as “Printed from resin”")
     expect(words).to_contain_text("the mean clearance is 0.6\u00a0mm")
@@ -158,13 +158,13 @@ def test_what_a_study_warns_of_is_said(page: Page, service: str) -> None:
 
     page.route("**/tolerance-study", lost)
     show(page, service, "crank-planetary", **DESIGN, **STUDY)
-    page.locator('[data-group="study"] .study-run').get_by_role("button", name="Run").click()
+    page.locator('[data-group="study"] .running').get_by_role("button", name="Run").click()
     expect(page.locator(".study .sentences")).to_contain_text("cluster was lost")
 
 
 def test_a_study_is_run_by_its_button_and_stopped(page: Page, service: str, watch: Watch) -> None:
     show(page, service, "crank-planetary", **DESIGN, **STUDY)
-    study, controls = page.locator(".study"), page.locator('[data-group="study"] .study-run')
+    study, controls = page.locator(".study"), page.locator('[data-group="study"] .running')
     run = controls.get_by_role("button", name="Run the study")
     expect(run).to_be_enabled()
     box(page, "samples").fill("45")
