@@ -120,6 +120,7 @@ async function partsOf(id) {
       ...calculator, path: client.base + calculator.path, words: ownWords,
       diameters: lengths === "diameter" ? message("diameter") : null,
     }),
+    modelFor: (form) => formModel(openapi, { ...form, path: client.base + form.path, words: ownWords }),
     examples: examples.filter(({ calculation }) => `/${calculation}` === calculator.path)
       .map(({ input, ...example }) => ({ ...example, input: calculator.inputOf?.(input) ?? input })),
     catalogues: Object.fromEntries(Object.entries(calculator.catalogues ?? {}).map(([path, name]) => [path, lists[name]])),

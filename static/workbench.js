@@ -18,7 +18,7 @@ import { createDrawingView } from "./views/drawing.js";
 import { createExamples } from "./views/examples.js";
 import { createExplanation } from "./views/explanation.js";
 import { createFigure } from "./views/figure.js";
-import { foldable } from "./views/fold.js";
+import { foldable, madeWhenOpened } from "./views/fold.js";
 import { createForm } from "./views/form.js";
 import { createNotice } from "./views/notice.js";
 import { currentTheme } from "./views/settings.js";
@@ -46,12 +46,12 @@ function lightEachOther(form, drawing) {
 }
 
 /**
- * `typed` is the state of the form to begin with, `claim` what its link said besides (lib/url_state.js), `history` that
+ * `modelFor(form)` is a further form; `typed` is the state of the form to begin with, `claim` what its link said besides (lib/url_state.js), `history` that
  * of a design which it follows. `on.left()` tells that another design is to come, `on.cleared(query, history)` that an
  * empty one is, `on.address(query)`, `on.history(canUndo, canRedo)`, `on.whole()` that all of the page is there, `on.say(text)` and `on.tell(text)`, which all see,
  * tell the page around it.
  */
-export function openWorkbench({ host, calculator, model, client, examples, catalogues, designs, version, calculation, calculations, typed, claim, history, lengths, on }) {
+export function openWorkbench({ host, calculator, model, modelFor, client, examples, catalogues, designs, version, calculation, calculations, typed, claim, history, lengths, on }) {
   const named = (wanted) => [...model.fields.values()].filter((field) => Boolean(field.wanted) === wanted).map(({ name, title }) => [name, title]);
   const titles = new Map([
     ...named(true), ...Object.entries(message("quantity")), ...named(false),
@@ -126,6 +126,15 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       },
     },
   });
+  /** Designs from a requirement, loaded when that is opened. */
+  function addProposals() {
+    const place = element(html`<details class="card fold requirement"><summary>${message("propose.title")}</summary></details>`);
+    inputs.append(place);
+    return madeWhenOpened(place, "propose", async () => {
+      const [logic, { createProposals }] = await calculator.propose();
+      return createProposals({ logic, client, titles, modelOf: modelFor, on: { opened: (design) => take(stateOf(calculator.inputOf(design))) } });
+    });
+  }
   const apply = (sets) => changeAtOnce(next.applied, sets);
   const lead = (path) => {
     const { wanted } = model.fields.get(path) ?? {};
@@ -194,7 +203,9 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
   const explanation = createExplanation({ calculator, materialOf });
   const notice = createNotice({ calculator, on: { closed: () => store.apply(next.unclaimed) } });
   const inputs = element(html`<div class="inputs"></div>`);
-  inputs.append(notice.root, picker.root, form.root);
+  inputs.append(notice.root, picker.root);
+  const closeProposals = calculator.propose && addProposals();
+  inputs.append(form.root);
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
   const column = (name, ...views) => {
     const part = element(html`<div class="${name}"></div>`);
@@ -307,6 +318,7 @@ export function openWorkbench({ host, calculator, model, client, examples, catal
       asking.cancel();
       listening.abort();
       drawing.close();
+      closeProposals?.();
       rest?.close();
       for (const figure of figures) figure.close();
       on.address(withVerdict(query(calculator.id, model, store.state.typed), next.verdictOf(store.state)));

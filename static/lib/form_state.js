@@ -146,7 +146,7 @@ function readRecords(field, typed) {
 export function readField(field, text) {
   const typed = text.trim();
   if (typed === "") return field.required ? { problem: "required" } : {};
-  if (["name", "option", "switch"].includes(field.kind)) return { value: typed };
+  if (["name", "option", "switch"].includes(field.kind)) return { value: field.whole ? Number(typed) : typed };
   if (field.kind === "flag") return { value: typed === "true" };
   if (field.kind === "names") return { value: typed.split(/;\s*/) };
   if (field.kind === "records") return readRecords(field, typed);

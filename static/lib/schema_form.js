@@ -61,7 +61,7 @@ function kindOf(schema, resolve) {
 
 /** The words of an enumeration; none of them is one too where nothing has to be said. */
 function optionsIn({ enum: words, "x-options": named, default: preset }, required) {
-  if (words) return required || preset ? words : ["", ...words];
+  if (words) return (required || preset ? words : ["", ...words]).map(String);
   return named && ["", ...named];
 }
 
@@ -79,6 +79,7 @@ function fieldOf(schema, path, required, resolve) {
     symbol: schema["x-symbol"] ?? "",
     unit: schema["x-unit"] ?? unitOf(name),
     step: schema["x-step"] ?? (kind === "integer" ? 1 : undefined),
+    ...(kind === "option" && schema.type === "integer" && { whole: true }),
     options: optionsIn(schema, required) ?? { flag: ["false", "true"], names: schema.items?.enum }[kind],
     group: schema["x-group"],
     advanced: schema["x-advanced"] ?? false,
@@ -89,7 +90,7 @@ function fieldOf(schema, path, required, resolve) {
   };
 }
 
-/** The boxes of one record of a list. */
+/** The boxes of one record of a list, or of an object of numbers. */
 function columnsOf(record, path, resolve) {
   return Object.entries(record.properties).map(([key, property]) =>
     fieldOf(resolve(property), `${path}.${key}`, (record.required ?? []).includes(key), resolve));
@@ -113,13 +114,19 @@ function namedOrOwn(schema, path, required, resolve) {
   };
 }
 
+/** The fields of a property that is a number or an object of numbers, such as a range. */
+function numberOrParts({ anyOf = [], ...about }, path, resolve) {
+  const [number, parts] = ["integer", "object"].map((type) => anyOf.map(resolve).find((variant) => variant.type === type));
+  return number && parts && [fieldOf({ ...number, ...about }, path, false, resolve), ...columnsOf(parts, path, resolve)];
+}
+
 function sectionItems(section, path, resolve, hidden) {
   return Object.entries(section.properties)
     .map(([key, property]) => ({ key, property: resolve(property), at: path ? `${path}.${key}` : key }))
     .filter(({ at, property }) => !hidden.includes(at) && property.type !== "object")
-    .map(({ key, property, at }) => {
+    .flatMap(({ key, property, at }) => {
       const required = (section.required ?? []).includes(key);
-      return namedOrOwn(property, at, required, resolve) ?? fieldOf(property, at, required, resolve);
+      return namedOrOwn(property, at, required, resolve) ?? numberOrParts(property, at, resolve) ?? fieldOf(property, at, required, resolve);
     });
 }
 

@@ -333,6 +333,9 @@ export default {
     return [{ id: "dxf", path: "/export/dxf", body: { design, parts: [...discs, ring] } }];
   },
 
+  /** What finds designs for a requirement. */
+  propose: () => Promise.all([import("./propose.js"), import("../../views/propose.js")]),
+
   wanted: WANTED,
   beside: BESIDE,
   inputOf,

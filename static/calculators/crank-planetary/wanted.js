@@ -402,7 +402,7 @@ export function documentOf({ mechanism, load, contact, besides = {}, ...others }
   const on = (section) => wanted.includes(section) && asked(section);
   const made = isOn({ besides }, "real");
   const { deviations: { pins, holes, cranks, ring_pins: ringPins } = {}, requirements } = besides;
-  const { contact_law: law = {}, satellite_coupling: shared, pin, fatigue, rollers, friction, gear: { kind, ...gear } = {}, bearing, crankshaft, build = {} } = besides;
+  const { contact_law: law = {}, satellite_coupling: shared, pin, fatigue, rollers, friction, gear: { kind, ...gear } = {}, bearing, crankshaft, build = {}, study, tolerances: { process } = {} } = besides;
   const deviations = {
     ...(made && { ...listsOf(pins), ...listsOf(holes, bySatellites(mechanism.pins)), ...listsOf(cranks) }),
     ...(on("ring_mesh") && listsOf(ringPins)),
@@ -423,6 +423,7 @@ export function documentOf({ mechanism, load, contact, besides = {}, ...others }
       bearing: on("satellite_bearing") && bearing,
       crankshaft: on("crankshaft") && crankshaft,
       build: on("envelope") && build,
+      tolerances: study?.on === "on" && study.sizes === "process" && process && { process }, // with which a ring is known
       ...others,
       requirements: requirements ? { ...others.requirements, ...requirements } : others.requirements,
     }),
@@ -437,7 +438,7 @@ export function drawnDocument(input, answer, [{ body: { include, ...asked } }]) 
 }
 
 /** What the form shows of a design document: the groups are on whose parts it has; a pin of one material has it in one field. */
-export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bearing, crankshaft, build, deviations = {}, ...own }) {
+export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bearing, crankshaft, build, deviations = {}, tolerances, ...own }) {
   const { requirements, contact } = own;
   const ring = Object.entries(deviations).filter(([name]) => name.startsWith("ring_pin_"));
   const count = Math.max(0, ...ring.map(([, { length }]) => length));
@@ -458,6 +459,7 @@ export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bea
       ...((gear?.modification || shifted(gear)) && { teeth: on }),
       ...(crankshaft && { crank: on, crankshaft }),
       ...(build && { housing: on, build }),
+      ...(tolerances?.process && { study: { ...on, sizes: "process" }, tolerances }),
       ...(requirements && { requirements }),
     },
   };

@@ -1,0 +1,55 @@
+/** Reducers from a requirement: what is asked of the service, and what its designs are called. No DOM. */
+import { formatNumber } from "../../lib/format.js";
+import { message } from "../../messages/index.js";
+import { ratioOf } from "./mechanism.js";
+
+/** How the form is made of the schema (lib/schema_form.js), and from what a range starts. */
+export const FORM = {
+  path: "/propose",
+  groups: ["propose"],
+  inline: ["materials"],
+  choices: { ratios: { value: ["ratio"], range: ["ratio.from", "ratio.to"] } },
+  seeds: { "ratios.range": ({ ratio }) => ({ "ratio.from": ratio, "ratio.to": ratio }) },
+  arranged: {
+    task: ["torque_Nm", "ratios", "outer_diameter_mm", "length_mm", "input_speed_rpm", "life_h", "process", "materials.disc"],
+    more: ["output", "discs", "min_efficiency", "max_backlash_arcmin", "wanted"],
+  },
+};
+
+export const asked = (input) => input;
+
+/** The answer; what is found on the way is told at once. */
+export async function ask({ client, body, signal, progressed }) {
+  const found = [];
+  progressed(undefined, { found: [] });
+  const answer = await client.post("/propose", body, {
+    signal,
+    progressed(share, { proposal }) {
+      if (proposal) found.push(proposal);
+      progressed(share, { found: [...found] });
+    },
+  });
+  progressed(1, { found: answer.proposals });
+  return answer;
+}
+
+/** Its ratio, the bearing of its satellites, number and diameter of its pins and of those of the ring. */
+export function nameOf({ mechanism, bearing, contact, gear }) {
+  return message("propose.name", {
+    ratio: formatNumber(ratioOf(mechanism) + (mechanism.output === "ring" ? 1 : 0)),
+    bearing: bearing?.name ?? "–",
+    pins: mechanism.pins,
+    diameter: formatNumber(2 * contact.pin_radius_mm),
+    teeth: mechanism.ring_teeth,
+    roller: formatNumber(2 * gear.ring_pin_radius_mm),
+  });
+}
+
+const PLACES = ["/pin/satellite_positions_mm", "/pin/span_mm", "/crankshaft/satellite_positions_mm", "/crankshaft/bearing_positions_mm"];
+
+/** A design with the places along its axes that the service takes from housing and carrier: the drawings need them. */
+export async function placed(client, design) {
+  const { assumed = [] } = await client.post("/crank-planetary", { ...design, include: ["checks"] }).catch(() => ({}));
+  const places = assumed.filter(({ pointer }) => PLACES.includes(pointer)).map(({ pointer, value }) => [...pointer.slice(1).split("/"), value]);
+  return places.reduce((whole, [part, name, value]) => ({ ...whole, [part]: { ...whole[part], [name]: value } }), design);
+}
