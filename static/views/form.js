@@ -84,11 +84,11 @@ function createChoice({ id, title, options }, { on }) {
 const seriesOf = (name) => name.match(/^(?:R?NA\d\d|N[UJ]\d|HK|MR|6\d)(?=[\d/])/)?.[0];
 
 /**
- * `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`,
+ * `label` names it. `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`,
  * `on.apply()`, `on.lengths(option)`, `on.size(path)`, `on.switched(group, on)`, `on.asked(path)`.
  */
-export function createForm({ model, calculator, catalogues, lengths, on }) {
-  const root = element(html`<form class="form" novalidate aria-label="${message("form.inputs")}"></form>`);
+export function createForm({ model, calculator, catalogues, lengths, label = message("form.inputs"), on }) {
+  const root = element(html`<form class="form" novalidate aria-label="${label}"></form>`);
   root.addEventListener("submit", (event) => {
     event.preventDefault();
     on.apply();
