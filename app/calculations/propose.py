@@ -4,9 +4,9 @@ import math
 from collections.abc import Iterator
 from dataclasses import asdict
 from functools import cache
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
-from pydantic import BeforeValidator, Field
+from pydantic import Field, PrivateAttr
 
 from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.calculations.tolerance_study import ToleranceStudyRequest
@@ -27,10 +27,9 @@ from app.model import (
     result,
     timed,
     untold,
-    whole,
 )
 from app.problems import refusal
-from app.settings import Settings, current
+from app.settings import Settings
 from app.sources import WANG_2016, YANCHEVSKIY_2021
 from app.units import from_si, to_si
 from core.checks.cold_yield import cold_yield
@@ -45,7 +44,7 @@ from core.proposal.search import Document, Ended, Judged, Search
 from core.proposal.shop import SHOPS, ShopName
 
 SECONDS = 10.0
-"""Processor time after which a search judges no further design, s."""
+"""Processor time after which a search that is answered in lines judges no further design, s."""
 
 SHARE = 0.4
 """Part of the time of a request that a search takes, if it is answered as a whole."""
@@ -88,7 +87,9 @@ else:
 class MaterialsFields(RequestModel, group="propose"):
     """Materials by name in place of those of the process."""
 
-    disc: Maybe[DiscMaterial] = quantity("Material of the discs", help="In place of that of the process.")
+    disc: Maybe[DiscMaterial] = quantity(
+        "Material of the discs", help="In place of that of the process."
+    )
     pins: Maybe[Metal] = quantity(
         "Material of the output pins", help="And of sleeves; in place of that of the process."
     )
@@ -155,9 +156,17 @@ class ProposeRequest(RequestModel, group="propose"):
         """Ratios that are tried."""
         return range(self.ratio, (self.ratio_to or self.ratio) + 1)
 
+    _seconds: float = PrivateAttr(default=SECONDS)
+
+    @property
+    def seconds(self) -> float:
+        """Processor time of a search that is answered as a whole, s."""
+        return self._seconds
+
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse an empty range of ratios, and one with too many of them."""
         super().refuse_beyond(settings)
+        self._seconds = SHARE * settings.max_seconds
         count, low = len(self.ratios), self.ratios.start
         if not 1 <= count <= MOST_RATIOS:
             code = "less_than_equal" if count else "greater_than_equal"
@@ -396,7 +405,7 @@ def solve(body: ProposeRequest) -> Values:
     `{"progress": 0.4, "proposal": {...}}` as soon as one is found, and at last `{"result": ...}` or
     `{"problem": ...}`. Closing the connection ends the search.
     """
-    return reporting(body, untold, min(SECONDS, SHARE * current().max_seconds))
+    return reporting(body, untold, body.seconds)
 
 
 CALCULATION = StudyCalculation(

@@ -90,7 +90,7 @@ function fieldOf(schema, path, required, resolve) {
   };
 }
 
-/** The boxes of one record of a list, or of an object of numbers. */
+/** The boxes of one record of a list. */
 function columnsOf(record, path, resolve) {
   return Object.entries(record.properties).map(([key, property]) =>
     fieldOf(resolve(property), `${path}.${key}`, (record.required ?? []).includes(key), resolve));
@@ -114,19 +114,13 @@ function namedOrOwn(schema, path, required, resolve) {
   };
 }
 
-/** The fields of a property that is a number or an object of numbers, such as a range. */
-function numberOrParts({ anyOf = [], ...about }, path, resolve) {
-  const [number, parts] = ["integer", "object"].map((type) => anyOf.map(resolve).find((variant) => variant.type === type));
-  return number && parts && [fieldOf({ ...number, ...about }, path, false, resolve), ...columnsOf(parts, path, resolve)];
-}
-
 function sectionItems(section, path, resolve, hidden) {
   return Object.entries(section.properties)
     .map(([key, property]) => ({ key, property: resolve(property), at: path ? `${path}.${key}` : key }))
     .filter(({ at, property }) => !hidden.includes(at) && property.type !== "object")
-    .flatMap(({ key, property, at }) => {
+    .map(({ key, property, at }) => {
       const required = (section.required ?? []).includes(key);
-      return namedOrOwn(property, at, required, resolve) ?? numberOrParts(property, at, resolve) ?? fieldOf(property, at, required, resolve);
+      return namedOrOwn(property, at, required, resolve) ?? fieldOf(property, at, required, resolve);
     });
 }
 

@@ -3,16 +3,14 @@ import { formatNumber } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { ratioOf } from "./mechanism.js";
 
-/** How the form is made of the schema (lib/schema_form.js), and from what a range starts. */
+/** How the form is made of the schema (lib/schema_form.js). */
 export const FORM = {
   path: "/propose",
   groups: ["propose"],
   inline: ["materials"],
-  choices: { ratios: { value: ["ratio"], range: ["ratio.from", "ratio.to"] } },
-  seeds: { "ratios.range": ({ ratio }) => ({ "ratio.from": ratio, "ratio.to": ratio }) },
   arranged: {
-    task: ["torque_Nm", "ratios", "outer_diameter_mm", "length_mm", "input_speed_rpm", "life_h", "process", "materials.disc"],
-    more: ["output", "discs", "min_efficiency", "max_backlash_arcmin", "wanted"],
+    task: ["torque_Nm", "ratio", "outer_diameter_mm", "length_mm", "input_speed_rpm", "life_h", "process", "materials.disc"],
+    more: ["ratio_to", "output", "discs", "min_efficiency", "max_backlash_arcmin", "wanted"],
   },
 };
 
