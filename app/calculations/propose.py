@@ -131,6 +131,14 @@ class ProposeRequest(RequestModel, group="propose"):
         ge=10,
         le=2e5,
     )
+    application_factor: Size = quantity(
+        "Application factor",
+        "K_A",
+        help="Factor on the torque for stresses and pressures, not "
+        "for losses, wear and the life of bearings; 1 where not given.",
+        default=1.0,
+        step=0.05,
+    )
     process: ShopName = quantity(
         "Process",
         help="How discs and pins are made: materials, fit, modification.",
@@ -194,6 +202,7 @@ class ProposeRequest(RequestModel, group="propose"):
                 pin_material=chosen.get("pins", ""),
                 ring_pin_material=chosen.get("ring_pins", ""),
                 output=self.output,
+                application_factor=self.application_factor,
                 discs=self.discs,
                 efficiency=self.min_efficiency,
                 backlash=to_si("max_backlash_arcmin", self.max_backlash_arcmin),

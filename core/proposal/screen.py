@@ -93,6 +93,7 @@ class Demand:
     ring_pin_material: str = ""  # likewise, of the ring pins
     output: str = "pins"  # pins or ring
     discs: int = 2  # number of discs
+    application_factor: float = 1.0  # on the torque, for stresses and pressures
     efficiency: float | None = None  # least one
     backlash: float | None = None  # largest one, rad
 
@@ -316,6 +317,7 @@ class Screen:
         touch: ``F_i = max(l_i*beta - gap, 0)/c`` with ``sum F_i*l_i = T``.
         """
         lobes, torque = self.demand.lobes, self.demand.disc_torque / self.discs
+        shock = self.demand.application_factor
         modulus, limit = self._pair(self.demand.ring_pin)
         stiff = modulus * self.width / COMPLIANCE
         gap = self.demand.shop.modification(self.circle)
@@ -335,7 +337,7 @@ class Screen:
             along -= 4 * torque / (math.pi * self.pin_circle)
             load = np.maximum(load, np.hypot(torque / (self.eccentricity * lobes), along))
         pressure = np.sqrt(pressed * modulus / (math.pi * self.width))
-        self.reserves["ring_pressure_disc"] = (limit / pressure) ** 2
+        self.reserves["ring_pressure_disc"] = (limit / pressure) ** 2 / shock
         speed = self.demand.input_speed * (1 + 1 / lobes)
         self.reserves["bearing_life"] = self._all_bear(self.bearing, speed) / load
         least = np.array([MIN_LOAD[each.kind] * each.dynamic_rating for each in self.bearings])
@@ -379,9 +381,10 @@ class Screen:
         line = np.where(even > edge, even + edge, np.sqrt(2 * force * line))
         curved = 1 / self.touching - 1 / (self.touching + self.eccentricity)
         pressure = np.sqrt(line * curved * modulus / math.pi)
-        self.reserves["contact_pressure_hole"] = (limit / pressure) ** 2
+        shock = self.demand.application_factor
+        self.reserves["contact_pressure_hole"] = (limit / pressure) ** 2 / shock
         stress = 32 * force * at * away / span / (math.pi * self.pin**3)
-        self.reserves["pin_fatigue"] = BENDING / stress
+        self.reserves["pin_fatigue"] = BENDING / stress / shock
 
 
 def _near(share: FloatArray) -> FloatArray:

@@ -76,6 +76,7 @@ def document(*, screen: Screen, index: int) -> Document:
             "output_torque": demand.torque,
             "input_speed": demand.input_speed,
             "pin_circle_radius": at["pin_circle"],
+            "application_factor": demand.application_factor,
         },
         "contact": {
             "eccentricity": at["eccentricity"],

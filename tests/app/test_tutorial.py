@@ -86,7 +86,7 @@ def accuracies(answer):
 
 
 def test_every_request_is_followed_by_its_answer():
-    assert len(STEPS) == 8 + 6
+    assert len(STEPS) == 8 + 7
     blocks = [language for each in BLOCKS.values() for language, _ in each]
     assert blocks.count("json") == len(STEPS)
 
@@ -103,7 +103,8 @@ async def test_the_service_gives_the_printed_numbers(api, path, body, following)
     assert {*WARNED.findall(response.text)} <= EXPECTED
     solved = "fit" in json.loads(body).get("contact", {})
     worst = max((each["relative_error"] for each in accuracies(answer)), default=0.0)
-    assert worst < (1e-3 if solved else 1e-10 if path == "ring-mesh" else 1e-12)
+    stated = {"ring-mesh": 1e-10, "propose": 0.02}  # the largest torque is searched to 1 %
+    assert worst < (1e-3 if solved else stated.get(path, 1e-12))
 
 
 @pytest.mark.parametrize("name", TUTORIALS)

@@ -10,7 +10,7 @@ export const FORM = {
   inline: ["materials"],
   arranged: {
     task: ["torque_Nm", "ratio", "outer_diameter_mm", "length_mm", "input_speed_rpm", "life_h", "process", "materials.disc"],
-    more: ["ratio_to", "output", "discs", "min_efficiency", "max_backlash_arcmin", "wanted"],
+    more: ["application_factor", "ratio_to", "output", "discs", "min_efficiency", "max_backlash_arcmin", "wanted"],
   },
 };
 
