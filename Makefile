@@ -110,6 +110,7 @@ bench: .venv/test  ## time calculations and requests against each other, as rati
 	PYTHONPATH=. $(BIN)/python -m benchmarks.studio
 	PYTHONPATH=. $(BIN)/python -m benchmarks.service
 	PYTHONPATH=. $(BIN)/python -m benchmarks.batches
+	PYTHONPATH=. $(BIN)/python -m benchmarks.proposals
 
 bench-page: .venv/test  ## time the page in Chromium: from the last key to numbers and figures
 	PYTHONPATH=. $(BIN)/python -m benchmarks.page

@@ -27,6 +27,7 @@ SAYS = {
     "page": "a frame",
     "peaks": "0 peaks missed",
     "pins": "0 numbers missed",
+    "proposals": "| F none | 0 |",
     "ratios": "whole design",
     "service": "parts of a request",
     "sharing": "compiling is not timed",
