@@ -67,6 +67,10 @@ REACTION = 0.7
 """Load of a bearing of the crankshaft over the tangential force on a disc, before all sizes are
 known."""
 
+ARM, SHAFT = 0.12, 100e6
+"""Arm of that load on the crankshaft over the diameter of the reducer, and bending stress of the
+shaft, Pa, from which its least diameter follows."""
+
 ROUNDED = 0.15e-3
 """Addition to usual walls for sizes that are rounded, m."""
 
@@ -250,19 +254,26 @@ class Screen:
         self.failed["ring_undercut"] = NEAR_UNDERCUT * self.ring_pin * bend > self.circle
 
     def _fit_crank(self) -> None:
-        """Set the smallest bearings of the crankshaft that last, between pins and eccentrics, or
-        the strongest that fit.
+        """Set the smallest bearings of the crankshaft that last, between pins and eccentrics and
+        on a shaft thick enough, or the strongest that fit.
         """
         across = self.demand.disc_torque / self.discs / (self.eccentricity * self.demand.lobes)
+        bending = REACTION * across * ARM * self.diameter * self.demand.application_factor
+        least = np.cbrt(32 * bending / (math.pi * SHAFT))
         widest = self.of("bore_diameter", self.bearing) - 2 * self.eccentricity
         room = 2 * (self.pin_circle - self.pin / 2 - BESIDE)
         self.crank, lasts = np.full(len(self), -1), np.zeros(len(self), dtype=bool)
         for index, each in enumerate(self.bearings):
             fits = (each.bore_diameter <= widest) & (each.outer_diameter <= room) & ~lasts
             self.crank[fits] = index
-            lasts |= fits & (self._bears(each, self.demand.input_speed) >= REACTION * across)
+            lasts |= (
+                fits
+                & (least <= each.bore_diameter)
+                & (self._bears(each, self.demand.input_speed) >= REACTION * across)
+            )
         self.failed["crank_bearing_fits"] = self.crank < 0
         self.crank = np.maximum(self.crank, 0)
+        self.reserves["crank_bearing_fits"] = (self.of("bore_diameter", self.crank) / least) ** 3
 
     def _bears(self, bearing: NamedBearing, speed: float) -> float:
         """Load that a bearing bears for the life, N."""

@@ -24,7 +24,7 @@ Ended = Literal["wanted", "time", "all"]
 """Reason why a search ended: as many hold as wanted, the time is over, or no other promises to."""
 
 ENOUGH = 1.25
-"""Estimated reserve beyond which a shorter design comes first."""
+"""Estimated reserve beyond which a smaller design comes first."""
 
 SLIPS = 0.4
 """Reserve that a satellite's bearing of too little load for its size is worth."""
