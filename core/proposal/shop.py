@@ -38,7 +38,7 @@ class Shop:
     """Radial clearance of pins in their holes: nearly all pieces go together."""
     least_gap: float = answer("mm")
     """Least equidistant modification of the teeth."""
-    gap: float = answer()
+    relative_gap: float = answer()
     """Equidistant modification of the teeth over the radius of the ring pin circle."""
     friction: float = answer()
     """Coefficient of friction: of metals in oil, of plastics dry on steel."""
@@ -53,7 +53,7 @@ class Shop:
         """Equidistant modification of the teeth by the radius of the ring pin circle, m, to
         0.001 mm.
         """
-        return np.round(np.maximum(self.gap * circle, self.least_gap) * 1e6) / 1e6
+        return np.round(np.maximum(self.relative_gap * circle, self.least_gap) * 1e6) / 1e6
 
 
 _STEEL: tuple[Any, ...] = "steel_bearing", None, USUAL_LIFE

@@ -155,6 +155,7 @@ OF_OTHER_SIZES = (
     "/gear/satellite_tip_radius_mm",
     "/mechanism/ring_teeth",
     "/mechanism/satellite_teeth",
+    "/ratio_to",
 )
 """What has limits that follow from other sizes."""
 
