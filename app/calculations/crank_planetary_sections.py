@@ -246,11 +246,11 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
         return INVOLUTE_NEEDS if teeth else NEEDS_OF[section]
 
     def notices(self) -> tuple[Notice, ...]:
-        """Notices, also of a ring whose mesh is judged without deviations or tolerances."""
+        """Notices, also of unknown deviations of a ring whose mesh is judged."""
         found = super().notices()
         deviations = self.given.get("deviations")
         listed = deviations and deviations.made.of_ring
-        if self.says("gear/modification") and not (listed or self.says("tolerances")):
+        if self.says("gear/modification") and not listed:
             found += (Notice("ring_deviations_unknown"),)
         return found
 

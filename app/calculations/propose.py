@@ -36,6 +36,7 @@ from core.checks.cold_yield import cold_yield
 from core.checks.reserve import NEAR, crank_verdict
 from core.design.mass import mass
 from core.design.results import Results
+from core.design.sections import USUAL_LIFE
 from core.errors import Accuracy, if_known
 from core.material_table import MATERIALS
 from core.materials import PLASTICS
@@ -188,7 +189,8 @@ class ProposeRequest(RequestModel, group="propose"):
     @property
     def demands(self) -> Iterator[Demand]:
         """Task for each ratio."""
-        chosen = self.materials.given
+        chosen, shop = self.materials.given, SHOPS[self.process]
+        usual_life = USUAL_LIFE / (10 if chosen.get("disc", shop.disc) in SOFT else 1)
         for ratio in self.ratios:
             yield Demand(
                 torque=self.torque_Nm,
@@ -196,8 +198,8 @@ class ProposeRequest(RequestModel, group="propose"):
                 outer_diameter=to_si("outer_diameter_mm", self.outer_diameter_mm),
                 length=to_si("length_mm", self.length_mm) or math.inf,
                 input_speed=to_si("input_speed_rpm", self.input_speed_rpm),
-                life=to_si("life_h", self.life_h) or SHOPS[self.process].life,
-                shop=SHOPS[self.process],
+                life=to_si("life_h", self.life_h) or usual_life,
+                shop=shop,
                 disc_material=chosen.get("disc", ""),
                 pin_material=chosen.get("pins", ""),
                 ring_pin_material=chosen.get("ring_pins", ""),

@@ -356,8 +356,9 @@ class Screen:
         apart = self.span + self.plate
         away = [(self.plate / 2 + place) / apart for place in self.places]
         turns = np.exp(2j * np.pi / self.discs * np.arange(self.discs))
-        ends = [sum(f(z) * t for z, t in zip(away, turns, strict=True)) for f in (_near, _far)]
-        reaction = np.maximum(*map(np.abs, ends)) * load
+        far = sum(share * turn for share, turn in zip(away, turns, strict=True))
+        near = turns.sum() - far
+        reaction = np.maximum(np.abs(near), np.abs(far)) * load
         bears = self._all_bear(self.crank, self.demand.input_speed)
         self.reserves["crank_bearing_life"] = bears / reaction
 
@@ -396,16 +397,6 @@ class Screen:
         self.reserves["contact_pressure_hole"] = (limit / pressure) ** 2 / shock
         stress = 32 * force * at * away / span / (math.pi * self.pin**3)
         self.reserves["pin_fatigue"] = BENDING / stress / shock
-
-
-def _near(share: FloatArray) -> FloatArray:
-    """Part of a load that the bearing at the carrier takes."""
-    return 1 - share
-
-
-def _far(share: FloatArray) -> FloatArray:
-    """Part of a load that the other bearing takes."""
-    return share
 
 
 def touching(*, lever: FloatArray, gap: FloatArray, asked: FloatArray) -> FloatArray:

@@ -10,7 +10,6 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.bearings import BEARINGS, NamedBearing
-from core.design.sections import USUAL_LIFE
 from core.fields import answer
 from core.tolerance.processes import ProcessName
 
@@ -42,12 +41,10 @@ class Shop:
     """Equidistant modification of the teeth over the radius of the ring pin circle."""
     friction: float = answer()
     """Coefficient of friction: of metals in oil, of plastics dry on steel."""
-    pin: str = answer()
+    pin: str = answer(default="steel_bearing")
     """Material of output pins, sleeves and ring pins."""
-    pin_process: ProcessName | None = answer()
+    pin_process: ProcessName | None = answer(default=None)
     """Process of the pins, if it is another one."""
-    life: float = answer("h")
-    """Life that is taken where none is asked."""
 
     def modification(self, circle: Any) -> Any:
         """Equidistant modification of the teeth by the radius of the ring pin circle, m, to
@@ -56,17 +53,14 @@ class Shop:
         return np.round(np.maximum(self.relative_gap * circle, self.least_gap) * 1e6) / 1e6
 
 
-_STEEL: tuple[Any, ...] = "steel_bearing", None, USUAL_LIFE
-_PLASTIC: tuple[Any, ...] = "steel_bearing", "ground", 500 * 3600.0
-
 SHOPS: dict[ShopName, Shop] = {
     each.code: each
     for each in (
-        Shop("ground", "steel_case_hardened", 0.012e-3, 5e-6, 1e-4, 0.05, *_STEEL),
-        Shop("precise", "steel_through_hardened", 0.03e-3, 10e-6, 2e-4, 0.05, *_STEEL),
-        Shop("milled", "steel_through_hardened", 0.1e-3, 30e-6, 4e-4, 0.05, *_STEEL),
-        Shop("fdm", "plastic_pla_printed", 0.3e-3, 0.2e-3, 0.0, 0.2, *_PLASTIC),
-        Shop("sls", "plastic_pa12_sintered", 0.25e-3, 0.2e-3, 0.0, 0.3, *_PLASTIC),
+        Shop("ground", "steel_case_hardened", 0.012e-3, 5e-6, 1e-4, 0.05),
+        Shop("precise", "steel_through_hardened", 0.03e-3, 10e-6, 2e-4, 0.05),
+        Shop("milled", "steel_through_hardened", 0.1e-3, 30e-6, 4e-4, 0.05),
+        Shop("fdm", "plastic_pla_printed", 0.3e-3, 0.2e-3, 0.0, 0.2, pin_process="ground"),
+        Shop("sls", "plastic_pa12_sintered", 0.25e-3, 0.2e-3, 0.0, 0.3, pin_process="ground"),
     )
 }
 """Shops by the code of their process."""

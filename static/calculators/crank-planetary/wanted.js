@@ -402,7 +402,7 @@ export function documentOf({ mechanism, load, contact, besides = {}, ...others }
   const on = (section) => wanted.includes(section) && asked(section);
   const made = isOn({ besides }, "real");
   const { deviations: { pins, holes, cranks, ring_pins: ringPins } = {}, requirements } = besides;
-  const { contact_law: law = {}, satellite_coupling: shared, pin, fatigue, rollers, friction, gear: { kind, ...gear } = {}, bearing, crankshaft, build = {}, study, tolerances: { process } = {} } = besides;
+  const { contact_law: law = {}, satellite_coupling: shared, pin, fatigue, rollers, friction, gear: { kind, ...gear } = {}, bearing, crankshaft, build = {} } = besides;
   const deviations = {
     ...(made && { ...listsOf(pins), ...listsOf(holes, bySatellites(mechanism.pins)), ...listsOf(cranks) }),
     ...(on("ring_mesh") && listsOf(ringPins)),
@@ -423,7 +423,6 @@ export function documentOf({ mechanism, load, contact, besides = {}, ...others }
       bearing: on("satellite_bearing") && bearing,
       crankshaft: on("crankshaft") && crankshaft,
       build: on("envelope") && build,
-      tolerances: study?.on === "on" && study.sizes === "process" && process && { process }, // with which a ring is known
       ...others,
       requirements: requirements ? { ...others.requirements, ...requirements } : others.requirements,
     }),
