@@ -1822,6 +1822,7 @@ def goes_together(places: Row, drive: Drive, work: Work, row: Row) -> int:
     free = blocked = False
     for i in range(len(work.q)):
         work.q[i] = 0.0
+    straighten(work)
     for m in range(len(places)):
         place(places[m], drive, work)
         if free_there(drive, work):  # a lag that is free at one place mostly is at the next one

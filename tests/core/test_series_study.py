@@ -185,6 +185,18 @@ def test_a_piece_hangs_on_no_other_and_on_no_other_tolerance() -> None:
     assert changed == ["equidistant"]
 
 
+def test_pieces_fit_alike_whether_forces_are_asked_or_not() -> None:
+    """Pins that a piece bends are straight again when the next one is put together."""
+    series, torque = bare(16)
+    pin = PinSupport("supported", 0.006, (0.01, 0.023), STEEL, 0.033)
+    bent = replace(series.output, pin=pin)
+    assert bent.mechanism.satellites == 2
+    for name in ("backlash_max", "peak_force"):
+        asked = Evaluation((name,), 20 * torque, 3)
+        study = SeriesStudy(MeshesInSeries(series.ring, bent), WIDE, asked, samples=6, seed=SEED)
+        assert study.values(study.pieces())[1].tolist() == [2] * 6
+
+
 def test_pieces_that_bind_in_either_mesh_are_seen() -> None:
     """Fitting pieces have play at every examined angle, binding ones lack it somewhere."""
     series, torque = bare(3, exact=False)
