@@ -251,7 +251,8 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
         deviations = self.given.get("deviations")
         listed = deviations and deviations.made.of_ring
         if self.says("gear/modification") and not listed:
-            found += (Notice("ring_deviations_unknown"),)
+            stated = self.says("tolerances/ring_pin_position_mm")
+            found += (Notice("ring_pieces" if stated else "ring_deviations_unknown"),)
         return found
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:

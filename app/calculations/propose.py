@@ -41,7 +41,7 @@ from core.errors import Accuracy, if_known
 from core.material_table import MATERIALS
 from core.materials import PLASTICS
 from core.proposal.screen import Demand
-from core.proposal.search import Document, Ended, Judged, Search
+from core.proposal.search import Document, Ended, Judged, Pieces, Search
 from core.proposal.shop import SHOPS, ShopName
 
 SECONDS = 10.0
@@ -54,15 +54,12 @@ MOST_RATIOS = 8
 """Largest number of ratios that are tried."""
 
 STUDY: Values = {
-    "samples": 256,
-    "quantities": ["backlash_max_arcmin"],
+    "samples": 128,
+    "quantities": ["backlash_max_arcmin", "ring_max_pressure_MPa"],
     "percentiles": [90.0],
     "crank_angles": 12,
 }
 """Request of `/tolerance-study` for the pieces of a design, beside the design."""
-
-PIECES = 0.9
-"""Part of the pieces that have to go together, and to keep the backlash."""
 
 METALS = tuple(
     name
@@ -232,6 +229,10 @@ class ColumnsOut(ResponseModel):
         "design with `study`."
     )
     efficiency: Maybe[float] = result("Efficiency of pins and teeth.", symbol="η")
+    ring_utilisation: Maybe[float] = result(
+        "Pressure between teeth and ring pins that nine tenths of the pieces keep, over its limit: "
+        "`ring_max_pressure_MPa` of the same study. The verdict is that of parts without errors."
+    )
 
 
 class ProposalOut(ResponseModel):
@@ -318,46 +319,35 @@ def _results(document: Document) -> Results:
     return CrankPlanetaryRequest.model_validate(in_json(document)).results
 
 
-def backlash_of_pieces(design: Values) -> float | None:
-    """Backlash that nine tenths of the pieces of a design keep, minutes of arc; None if fewer than
-    these go together.
-    """
-    values, _ = ToleranceStudyRequest.model_validate(design | STUDY).solve()
-    found = values["quantities"]["backlash_max_arcmin"]["percentiles"]
-    if values.get("fits", values["samples"]) < PIECES * STUDY["samples"] or not found:
-        return None
-    return float(found[0]["value"])
+def pieces_of(document: Document) -> Pieces:
+    """Pieces of a document."""
+    values, _ = ToleranceStudyRequest.model_validate(in_json(document) | STUDY).solve()
+    backlash, pressure = (values["quantities"][name] for name in STUDY["quantities"])
+    together = values["fits"] / values["samples"]
+    if not (backlash["percentiles"] and pressure["percentiles"]):
+        return Pieces(together)
+    kept, pressed = (each["percentiles"][0]["value"] for each in (backlash, pressure))
+    return Pieces(together, to_si("backlash_arcmin", kept), pressed / pressure["nominal"])
 
 
 class _Found:
     """Proposals of a request, as they are found."""
 
     def __init__(self, body: ProposeRequest, report: Report, seconds: float) -> None:
-        self.body = body
-        self.backlashes: dict[int, float | None] = {}  # by the identity of a document
-        self.search = Search(
-            body.demands, results_of=_results, missed=self._missed, seconds=seconds
-        )
+        self.search = Search(body.demands, results_of=_results, pieces=pieces_of, seconds=seconds)
         self.shown: list[Values] = []
         for found in self.search.run(body.wanted):
             self.shown.append(self.proposal(found))
             share = max(len(self.shown) / body.wanted, self.search.spent / seconds)
             report(min(share, 1.0), proposal=self.shown[-1])
 
-    def _missed(self, document: Document) -> dict[str, float]:
-        """Asked over reached of assembly and backlash, for pieces of a design."""
-        kept = backlash_of_pieces(in_json(document))
-        self.backlashes[id(document)] = kept
-        if kept is None:
-            return {"interference": math.inf}
-        over = kept / (self.body.max_backlash_arcmin or math.inf)
-        return {"backlash": over} if over > 1 else {}
-
     def proposal(self, found: Judged) -> Values:
         """Values of a proposal."""
         results = found.results
         torque, outside = results.design.output_torque, results.design.envelope
-        largest = crank_verdict(results, largest=True) if found.held else found.verdict
+        metal = found.held and not found.plastic
+        largest = crank_verdict(results, largest=True) if metal else found.verdict
+        pieces = found.pieces if found.holds else None
         soft = cold_yield(results=results, found=found.verdict)
         columns = {
             "outer_diameter_mm": from_si("outer_diameter_mm", outside.outer_diameter),
@@ -366,7 +356,8 @@ class _Found:
             "largest_torque_Nm": largest.largest_torque(torque),
             "yield_torque_Nm": soft and soft.torque,
             "lasting_torque_Nm": soft and soft.quarter,
-            "backlash_arcmin": self.backlashes.get(id(found.document)),
+            "backlash_arcmin": from_si("backlash_arcmin", pieces and pieces.backlash),
+            "ring_utilisation": pieces and found.ring_utilisation,
             "efficiency": if_known(lambda: float(results.losses.efficiency)),
         }
         return {
@@ -379,8 +370,8 @@ class _Found:
     @property
     def nearest(self) -> Values | None:
         """Values of the design that comes nearest if none holds."""
-        found = self.search.nearest
-        if self.shown or found is None:
+        found = None if self.shown else self.search.nearest
+        if found is None:
             return None
         lacks = [
             {"code": code} | ({"asked_over_reached": over} if math.isfinite(over) else {})

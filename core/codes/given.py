@@ -189,6 +189,14 @@ OF_INPUT = {
         "forces are those of a ring without errors.",
         mend="Give the deviations of the pins, measured or drawn by their tolerances.",
     ),
+    "ring_pieces": limit(
+        "The verdict is that of parts without errors. What pieces with the stated tolerances of "
+        "the ring's pins reach is told by the tolerance study.",
+        title="Ring of perfect parts",
+        tests="Deviations of the pins of the ring are given.",
+        why="Pins within their tolerances may press the discs twice as hard as those in place.",
+        mend="Ask the tolerance study for the pressure on the ring's pins, or narrow their places.",
+    ),
     "ratio_not_whole": limit(
         "The ratio {ratio:.6g} is no whole number: a cycloid disc with one lobe less than the ring "
         "has pins has as many lobes as its ratio says.",

@@ -166,7 +166,8 @@ def path_bends(*, short: Any, lobes: int, less: Any) -> tuple[FloatArray, FloatA
 class Screen:
     """Designs of an outer diameter with a number of output pins, as columns in SI units; at most
     `most` of them are drawn by a seed. By code of a check, `failed` has those that cannot be, and
-    `reserves` estimates what is reached over what is asked.
+    `reserves` estimates what is reached over what is asked; `of_pieces` does so for the teeth of
+    pieces in which a ring pin stands out of its place.
     """
 
     def __init__(
@@ -331,8 +332,8 @@ class Screen:
         shock = self.demand.application_factor
         modulus, limit = self._pair(self.demand.ring_pin)
         stiff = modulus * self.width / COMPLIANCE
-        gap = self.demand.shop.modification(self.circle)
-        pressed, load = np.zeros(len(self)), np.zeros(len(self))
+        gap, ahead_by = self.demand.shop.modification(self.circle), self.demand.shop.zone / 2
+        pressed, off, load = np.zeros((3, len(self)))
         for place in range(POSITIONS):
             ahead = np.arange(1, (lobes + 1) // 2 + 1) - place / POSITIONS
             angles = 2 * np.pi / (lobes + 1) * ahead
@@ -340,15 +341,20 @@ class Screen:
                 short=self.short[:, None], lobes=lobes, less=1 - np.cos(angles)
             )
             lever = self.eccentricity[:, None] * lobes * np.sin(angles) / slope
-            force = touching(lever=lever, gap=gap, asked=torque / stiff) * stiff[:, None]
+            given = touching(lever=lever, gap=gap, asked=torque / stiff)
+            force = given * stiff[:, None]
             bend = bend / self.circle[:, None]
             curved = 1 / self.ring_pin[:, None] + bend / (1 - self.ring_pin[:, None] * bend)
-            pressed = np.maximum(pressed, (force * np.maximum(curved, 0)).max(axis=1))
+            curved = stiff[:, None] * np.maximum(curved, 0)
+            pressed = np.maximum(pressed, (given * curved).max(axis=1))
+            one = standing_out(lever=lever, gap=gap, asked=torque / stiff, given=given, by=ahead_by)
+            off = np.maximum(off, (one * curved).max(axis=1))
             along = (force * (self.short[:, None] - np.cos(angles)) / slope).sum(axis=1)
             along -= 4 * torque / (math.pi * self.pin_circle)
             load = np.maximum(load, np.hypot(torque / (self.eccentricity * lobes), along))
-        pressure = np.sqrt(pressed * modulus / (math.pi * self.width))
-        self.reserves["ring_pressure_disc"] = (limit / pressure) ** 2 / shock
+        most = limit**2 * math.pi * self.width / modulus / shock
+        self.reserves["ring_pressure_disc"] = most / pressed
+        self.of_pieces = most / off
         speed = self.demand.input_speed * (1 + 1 / lobes)
         self.reserves["bearing_life"] = self._all_bear(self.bearing, speed) / load
         least = np.array([MIN_LOAD[each.kind] * each.dynamic_rating for each in self.bearings])
@@ -397,6 +403,26 @@ class Screen:
         self.reserves["contact_pressure_hole"] = (limit / pressure) ** 2 / shock
         stress = 32 * force * at * away / span / (math.pi * self.pin**3)
         self.reserves["pin_fatigue"] = BENDING / stress / shock
+
+
+def standing_out(
+    *, lever: FloatArray, gap: FloatArray, asked: FloatArray, given: FloatArray, by: float
+) -> FloatArray:
+    """Approach of each pin, m, if it alone stands out of its place by a length, m; ``given`` are
+    those of `touching` without that error.
+
+    The turn of the disc gives way: a pin bears the torque alone, or with those that touched before.
+    """
+    touch = given > 0
+    both = (lever**2 * touch).sum(axis=1)[:, None]
+    turn = (asked[:, None] + (lever * touch).sum(axis=1)[:, None] * gap[:, None]) / both
+    free = turn * lever - gap[:, None]
+    more = np.where(
+        touch, free + by * (1 - lever**2 / both), (free + by) * both / (both + lever**2)
+    )
+    alone = asked[:, None] / np.maximum(lever, 1e-9)
+    found: FloatArray = np.maximum(np.minimum(more, alone), 0.0)
+    return found
 
 
 def touching(*, lever: FloatArray, gap: FloatArray, asked: FloatArray) -> FloatArray:

@@ -3,13 +3,14 @@
 import math
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from core.checks.check import Check, Verdict
+from core.checks.check import MARGIN, Check, Verdict
 from core.checks.contacts import PLASTICS
 from core.checks.reserve import crank_verdict
 from core.design.results import Results
@@ -31,6 +32,9 @@ SLIPS = 0.4
 
 RANKED = 2000
 """Number of designs of a screen that may be judged."""
+
+TOGETHER = 0.9
+"""Least part of the pieces that go together."""
 
 SMALLER = 1.0, 0.8, 0.64
 """Outer diameters that are tried, over the largest one."""
@@ -108,8 +112,12 @@ def document(*, screen: Screen, index: int) -> Document:
         },
         "satellite_body": {"bore_radius": bearing.outer_diameter / 2},
         "build": {"housing_diameter": screen.diameter},
-        "tolerances": {"process": shop.code}
-        | ({"pin_process": shop.pin_process} if shop.pin_process else {}),
+        "tolerances": {
+            "process": shop.code,
+            "pin_diameter": {"tolerance_class": shop.pin_class},
+            "ring_pin_position": shop.zone,
+            "ring_pin_diameter": {"tolerance_class": shop.pin_class},
+        },
         "requirements": asked,
     }
 
@@ -125,13 +133,57 @@ OF_PLASTICS = {each.code for each in PLASTICS} | {
 """Checks that may stay open of discs of plastic."""
 
 
-class Judged(NamedTuple):
+OF_RING = ("ring_pressure_disc", "ring_pressure_pin", "ring_static_cold")
+"""Checks of the pressure between discs and ring pins."""
+
+
+class Pieces(NamedTuple):
+    """Pieces of a design with the tolerances of its document."""
+
+    together: float  # share of them that go together
+    backlash: float | None = None  # of the output, that nine tenths of them keep, rad
+    ring_pressure: float | None = None  # that nine tenths keep, over that of perfect parts
+
+
+@dataclass(frozen=True)
+class Judged:
     """Design that was judged by the whole calculation."""
 
     document: Document
     results: Results  # of the document
-    verdict: Verdict  # under its torque
-    missed: Mapping[str, float]  # asked over reached, above 1, of what holds of perfect parts alone
+    verdict: Verdict  # under its torque, of parts without errors
+    pieces_of: Callable[[Document], Pieces]
+
+    @cached_property
+    def pieces(self) -> Pieces:
+        """Pieces with the tolerances of the document; none go together if they are refused."""
+        try:
+            return self.pieces_of(self.document)
+        except CalculationError:
+            return Pieces(0.0)
+
+    @property
+    def missed(self) -> dict[str, float]:
+        """Asked over reached, above 1, of assembly and backlash of the pieces of a design that
+        holds otherwise.
+        """
+        if not self.holds:
+            return {}
+        together, backlash, _ = self.pieces
+        if together < TOGETHER:
+            return {"interference": math.inf}
+        over = (backlash or 0.0) / self.document["requirements"].get("max_backlash", math.inf)
+        return {"backlash": over} if over > 1 else {}
+
+    @property
+    def ring_utilisation(self) -> float | None:
+        """Largest part of a limit of the ring's pressure that nine tenths of the pieces keep; None
+        if it is not known.
+        """
+        of_ring = [each for each in self.verdict.checks if each.code in OF_RING]
+        found = [each.utilisation for each in of_ring if each.utilisation is not None]
+        over = self.pieces.ring_pressure
+        return over * max(found) if over and found else None
 
     @property
     def plastic(self) -> bool:
@@ -152,7 +204,9 @@ class Judged(NamedTuple):
 
     @property
     def passed(self) -> bool:
-        """True if all checks pass, but for those of plastics that no source can close."""
+        """True if all checks pass, but for those of plastics that no source can close; parts are
+        without errors.
+        """
         return self.verdict.verdict == "pass" or (
             self.verdict.verdict == "incomplete"
             and self.plastic
@@ -160,11 +214,15 @@ class Judged(NamedTuple):
         )
 
     @property
-    def held(self) -> bool:
-        """True if it does what is asked."""
+    def holds(self) -> bool:
+        """True if it does what is asked with parts without errors."""
         said = self.verdict.verdict
-        holds = said in ("pass", "marginal") or (said == "incomplete" and self.plastic)
-        return holds and not self.missed
+        return said in ("pass", "marginal") or (said == "incomplete" and self.plastic)
+
+    @property
+    def held(self) -> bool:
+        """True if it and its pieces do what is asked."""
+        return self.holds and not self.missed
 
     @property
     def ratios(self) -> dict[str, float]:
@@ -174,7 +232,7 @@ class Judged(NamedTuple):
             for each in self.verdict.checks
             if each.status == "fail" or (each.code in FIRST_YIELD and _yields(each))
         }
-        return dict(sorted((found | {**self.missed}).items(), key=lambda item: -item[1]))
+        return dict(sorted((found | self.missed).items(), key=lambda item: -item[1]))
 
     @property
     def worst(self) -> float:
@@ -214,8 +272,8 @@ class Search:
         What is asked, for each ratio.
     results_of : callable
         Results of a document; it may raise `CalculationError`.
-    missed : callable
-        Asked over reached, by code, of what pieces of a design that holds do not keep.
+    pieces : callable
+        Pieces of a document with the tolerances in it.
     seconds : float
         Processor time after which no further design is judged, s.
     """
@@ -225,13 +283,14 @@ class Search:
         demands: Iterable[Demand],
         *,
         results_of: Callable[[Document], Results],
-        missed: Callable[[Document], Mapping[str, float]],
+        pieces: Callable[[Document], Pieces],
         seconds: float,
     ) -> None:
         self._began, self.seconds = time.process_time(), seconds
-        self.results_of, self.missed = results_of, missed
+        self.results_of, self.pieces = results_of, pieces
         self.judged: list[Judged] = []
-        self.shares: dict[str, float] = {}  # judged over estimated reserve of failed checks
+        self.shares: dict[str, float] = {}  # judged over estimated reserve of checks not passed
+        self.shown = Counter[Any]()  # ring pins, and bearings, of designs that hold
         self.ended: Ended = "all"
         tried = [
             (demand, pins, diameter)
@@ -270,72 +329,94 @@ class Search:
 
     def _ranked(self) -> Iterator[tuple[Screen, int, float]]:
         """Designs with the reserve that is estimated, the best first: those with enough reserve by
-        their volume, others by their reserve.
+        that of their pieces, and by their volume; others by their reserve.
         """
         best = []
         for number, screen in enumerate(self.screens):
             reserve = screen.reserve
             volume = screen.length * screen.diameter**2
             promise = np.minimum(reserve, ENOUGH) - SLIPS * screen.slips
-            order = np.lexsort((volume, -promise))[:RANKED]
-            best += [(-promise[i], volume[i], -reserve[i], number, int(i)) for i in order]
-        for _, _, less, number, index in sorted(best):
-            yield self.screens[number], index, -less
+            pieces = np.minimum(screen.of_pieces, ENOUGH)
+            order = np.lexsort((volume, -pieces, -promise))[:RANKED]
+            best += [
+                (-promise[i], -pieces[i], volume[i], -reserve[i], number, int(i)) for i in order
+            ]
+        for *_, less, number, index in sorted(best):
+            if less < 0:
+                yield self.screens[number], index, -less
+
+    def _candidates(self) -> Iterator[tuple[Screen, int]]:
+        """Designs to judge of different families: first those expected to pass, then those expected
+        to be marginal.
+        """
+        ranked, tried = [*self._ranked()], set[Any]()
+        for least in (MARGIN, 1.0):
+            for screen, index, reserve in ranked:
+                family = screen.family(index)
+                if family in tried or any(self.shown[each] >= ALIKE for each in family):
+                    continue
+                if len(self.judged) >= NEAREST and (
+                    reserve < HOPELESS or self._expected(screen, index) < least
+                ):
+                    continue
+                tried.add(family)
+                yield screen, index
 
     def run(self, wanted: int) -> Iterator[Judged]:
         """Designs that hold, as they are found: `wanted` ones that pass, and then marginal ones, if
         fewer pass. Of equal ring pins, and of equal bearings, at most `ALIKE` are held.
         """
-        marginal: list[Judged] = []
-        passed, tried, shown = 0, set[Any](), Counter[Any]()
-        for screen, index, reserve in self._ranked():
-            if passed == wanted:
-                self.ended = "wanted"
+        marginal, held = list[Judged](), 0
+        for screen, index in self._candidates():
+            if self._ends(bool(self.judged), held == wanted):
                 break
-            if self.spent > self.seconds and self.judged:
-                self.ended = "time"
-                break
-            if reserve <= 0 or (reserve < HOPELESS and len(self.judged) >= NEAREST):
-                break
-            family = screen.family(index)
-            if family in tried or any(shown[each] >= ALIKE for each in family):
-                continue
-            if len(self.judged) >= NEAREST and self._fails_likewise(screen, index):
-                continue
-            tried.add(family)
             found = self._judge(document(screen=screen, index=index))
-            if found and not found.held:
-                self._learn(screen, index, found.verdict)
-            if not (found and found.held):
+            if not found:
                 continue
-            shown.update(family)
-            if found.passed:
-                passed += 1
+            if not found.passed:
+                self._learn(screen, index, found.verdict)
+                marginal += [found] * found.holds
+            elif found.held:
+                self.shown.update(screen.family(index))
+                held += 1
                 yield found
-            else:
-                marginal.append(found)
-        yield from marginal[: wanted - passed]
+        for found in marginal:
+            if self._ends(held > 0, held == wanted):
+                break
+            if found.held:
+                held += 1
+                yield found
+
+    def _ends(self, enough: bool, all_found: bool) -> bool:
+        """True if as many hold as wanted, or if the time is over and enough was found."""
+        if all_found:
+            self.ended = "wanted"
+        elif enough and self.spent > self.seconds:
+            self.ended = "time"
+        return self.ended != "all"
 
     def _learn(self, screen: Screen, index: int, found: Verdict) -> None:
-        """Keep the judged over the estimated reserve of checks that fail, the largest of each."""
+        """Keep the judged over the estimated reserve of checks that do not pass, the largest of
+        each.
+        """
         for check in found.checks:
-            if check.status == "fail" and check.code in screen.reserves and check.by_torque:
+            said = check.status in ("fail", "marginal") and check.code in screen.reserves
+            if said and check.by_torque:
                 share = check.reserve / float(screen.reserves[check.code][index])
                 self.shares[check.code] = max(share, self.shares.get(check.code, 0.0))
 
-    def _fails_likewise(self, screen: Screen, index: int) -> bool:
-        """True if a check is expected to fail as it did for other designs."""
-        return any(
-            float(screen.reserves[code][index]) * share < 1 for code, share in self.shares.items()
+    def _expected(self, screen: Screen, index: int) -> float:
+        """Least reserve that checks are expected to have, which did not pass for other designs."""
+        of_checks = (
+            float(screen.reserves[code][index]) * share for code, share in self.shares.items()
         )
+        return min(of_checks, default=math.inf)
 
     def _judge(self, made: Document) -> Judged | None:
         """Design judged by the whole calculation; None if it is refused."""
         try:
             results = self.results_of(made)
-            found = Judged(made, results, crank_verdict(results), {})
-            if found.held:
-                found = found._replace(missed=self.missed(made))
+            found = Judged(made, results, crank_verdict(results), self.pieces)
         except CalculationError:
             return None
         self.judged.append(found)

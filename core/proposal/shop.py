@@ -11,7 +11,7 @@ import numpy as np
 from core.arrays import FloatArray
 from core.bearings import BEARINGS, NamedBearing
 from core.fields import answer
-from core.tolerance.processes import ProcessName
+from core.tolerance.processes import PROCESSES
 
 ShopName = Literal["ground", "precise", "milled", "fdm", "sls"]
 
@@ -43,8 +43,13 @@ class Shop:
     """Coefficient of friction: of metals in oil, of plastics dry on steel."""
     pin: str = answer(default="steel_bearing")
     """Material of output pins, sleeves and ring pins."""
-    pin_process: ProcessName | None = answer(default=None)
-    """Process of the pins, if it is another one."""
+    pin_class: str = answer(default="h6")
+    """ISO 286 class of the diameters of pins and sleeves, which are bought."""
+
+    @property
+    def zone(self) -> float:
+        """Diameter of the zone in which the centre of a pin or a hole lies, m."""
+        return PROCESSES[self.code].position
 
     def modification(self, circle: Any) -> Any:
         """Equidistant modification of the teeth by the radius of the ring pin circle, m, to
@@ -56,11 +61,11 @@ class Shop:
 SHOPS: dict[ShopName, Shop] = {
     each.code: each
     for each in (
-        Shop("ground", "steel_case_hardened", 0.012e-3, 5e-6, 1e-4, 0.05),
-        Shop("precise", "steel_through_hardened", 0.03e-3, 10e-6, 2e-4, 0.05),
-        Shop("milled", "steel_through_hardened", 0.1e-3, 30e-6, 4e-4, 0.05),
-        Shop("fdm", "plastic_pla_printed", 0.3e-3, 0.2e-3, 0.0, 0.2, pin_process="ground"),
-        Shop("sls", "plastic_pa12_sintered", 0.25e-3, 0.2e-3, 0.0, 0.3, pin_process="ground"),
+        Shop("ground", "steel_case_hardened", 0.012e-3, 8e-6, 1e-4, 0.05, pin_class="h5"),
+        Shop("precise", "steel_through_hardened", 0.03e-3, 20e-6, 2e-4, 0.05),
+        Shop("milled", "steel_through_hardened", 0.1e-3, 60e-6, 4e-4, 0.05),
+        Shop("fdm", "plastic_pla_printed", 0.4e-3, 0.2e-3, 0.0, 0.2),
+        Shop("sls", "plastic_pa12_sintered", 0.36e-3, 0.2e-3, 0.0, 0.3),
     )
 }
 """Shops by the code of their process."""

@@ -801,6 +801,7 @@ export default {
     output: "Output",
     yield_torque_Nm: "Torque at which plastic yields",
     lasting_torque_Nm: "A quarter of that torque",
+    "propose.ring_utilisation": "Ring pressure of its limit, 90 % of pieces",
     "propose.backlash_arcmin": "Backlash, 90 % of pieces",
     largest_torque_Nm: "Largest torque",
     min_efficiency: "Least efficiency",

@@ -20,12 +20,16 @@ let former = {}; // what was found before the page was built anew
 
 const digitsOf = (unit) => (unit === "mm" ? 4 : 3);
 
+/** The word on it: pieces whose ring pins press too hard make of works just works. */
+const wordOf = ({ verdict, columns }) => (verdict === "pass" && columns.ring_utilisation > 1 ? "marginal" : verdict);
+
 function proposalMarkup({ verdict, columns }, name) {
+  const word = wordOf({ verdict, columns });
   const cells = Object.entries(columns).map(([column, value]) =>
     [quantityTitle(column, ID), formatQuantity(value, unitOf(column), digitsOf(unitOf(column)))]);
   return html`<div class="proposal-head"><h3>${name}</h3>
       <button type="button" class="toggle" aria-label="${message("compare.openWhat", { name })}">${message("compare.open")}</button></div>
-    <dl><div><dt>${message("verdict.label")}</dt><dd>${sign(levelOfWord(verdict))}${wordText({ verdict, parts: [] })}</dd></div>${cells.map(([title, value]) => html`
+    <dl><div><dt>${message("verdict.label")}</dt><dd>${sign(levelOfWord(word))}${wordText({ verdict: word, parts: [] })}</dd></div>${cells.map(([title, value]) => html`
       <div><dt>${title}</dt><dd>${value}</dd></div>`)}</dl>`;
 }
 

@@ -4,12 +4,16 @@ import json
 import math
 from typing import Any
 
+import numpy as np
 import pytest
 
+from app.calculations.propose import ProposeRequest, pieces_of
 from app.examples import REQUESTS
 from app.units import to_si
 from core.bearings import BEARINGS
 from core.precision import EXACT
+from core.proposal.screen import Screen, numbers_of_pins
+from core.proposal.search import document
 from core.proposal.shop import PINS, pin_sizes
 
 pytestmark = pytest.mark.anyio
@@ -46,7 +50,7 @@ async def test_each_proposal_holds_when_it_is_posted(api: Any, asked: dict[str, 
         checks = {each["code"]: each["status"] for each in again["checks"]}
         assert {checks[code] for code in ("bearing_fits", "crank_bearing_fits")} == {"pass"}
         warned = [each["code"] for each in again.get("warnings", ())]
-        assert "ring_deviations_unknown" in warned  # the verdict is that of perfect parts
+        assert {"ring_deviations_unknown", "ring_pieces"} & {*warned} == {"ring_pieces"}
         named = [design["bearing"]["name"], *(b["name"] for b in design["crankshaft"]["bearings"])]
         assert {*named} <= {*BEARINGS}
         weighed = await api.answer("crank-planetary", design | {"include": ["mass"]})
@@ -57,6 +61,32 @@ async def test_each_proposal_holds_when_it_is_posted(api: Any, asked: dict[str, 
         study = await api.answer("tolerance-study", design | answer["study"])
         (kept,) = study["quantities"]["backlash_max_arcmin"]["percentiles"]
         assert kept["value"] == pytest.approx(columns["backlash_arcmin"], rel=EXACT)
+        pressure = study["quantities"]["ring_max_pressure_MPa"]
+        (pressed,) = pressure["percentiles"]
+        of_ring = [each for each in again["checks"] if each["code"].startswith("ring_pressure_")]
+        most = max(each["utilisation"] for each in of_ring) * pressed["value"] / pressure["nominal"]
+        assert columns["ring_utilisation"] == pytest.approx(most, rel=EXACT)
+        assert design["tolerances"]["ring_pin_position_mm"] > 0
+
+
+async def test_with_room_enough_pieces_keep_the_pressure_of_the_ring(api: Any) -> None:
+    asked = EASY | {"outer_diameter_mm": 120.0, "length_mm": 60.0, "wanted": 1}
+    asked |= {"torque_Nm": 20.0, "materials": {"disc": "steel_case_hardened"}}
+    (proposal,) = (await api.answer(PATH, asked))["proposals"]
+    assert proposal["verdict"] == "pass" and proposal["columns"]["ring_utilisation"] < 1
+
+
+@pytest.mark.parametrize("asked", [EASY, HARD])
+def test_pieces_are_estimated_as_they_are_solved(asked: dict[str, Any]) -> None:
+    """Designs are drawn by a seed from those that may hold."""
+    (demand,) = ProposeRequest.model_validate(asked).demands
+    screen = Screen(demand, pins=numbers_of_pins(demand)[0])
+    good = np.flatnonzero(screen.reserve > 1)
+    for index in np.random.default_rng(58).choice(good, 3, replace=False):
+        pieces = pieces_of(document(screen=screen, index=int(index)))
+        more = math.sqrt(screen.reserves["ring_pressure_disc"][index] / screen.of_pieces[index])
+        assert pieces.together >= 0.9 and pieces.ring_pressure
+        assert 0.75 < more / pieces.ring_pressure < 1.35
 
 
 async def test_a_backlash_is_kept_by_nine_tenths_of_the_pieces(api: Any) -> None:

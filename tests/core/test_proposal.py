@@ -21,9 +21,10 @@ from core.proposal.screen import (
     Screen,
     numbers_of_pins,
     path_bends,
+    standing_out,
     touching,
 )
-from core.proposal.search import Search, document
+from core.proposal.search import Pieces, Search, document
 from core.proposal.shop import SHOPS, bought, pin_sizes
 from core.ring.profile import Modification
 from tests.oracles.seeds import TIMES
@@ -72,9 +73,9 @@ def results_of(stated: dict[str, Any]) -> Results:
     return Results(design_of({name: each for name, each in made.items() if name != "tolerances"}))
 
 
-def keeps(_: Any) -> dict[str, float]:
+def keeps(_: Any) -> Pieces:
     """Pieces of any design keep what is asked."""
-    return {}
+    return Pieces(1.0, 1e-4, 1.5)
 
 
 @pytest.mark.parametrize("demand", [SMALL, LARGE, RING, SOFT])
@@ -116,6 +117,28 @@ def test_pins_that_touch_carry_the_torque() -> None:
             carried = (np.maximum(arms * turn - play, 0) * arms).sum()
             low, high = (turn, high) if carried < sum_asked else (low, turn)
         assert approaches == pytest.approx(np.maximum(arms * high - play, 0), rel=EXACT, abs=1e-15)
+
+
+def test_a_pin_that_stands_out_bears_more() -> None:
+    """A bisection with one pin ahead finds at most what is estimated, and mostly as much."""
+    draw = np.random.default_rng(6)
+    lever, gap = draw.uniform(1e-3, 0.03, (40, 9)), draw.uniform(0, 5e-5, 40)
+    asked, by = 10 ** draw.uniform(-8, -5, 40), 1e-5
+    given = touching(lever=lever, gap=gap, asked=asked)
+    found = standing_out(lever=lever, gap=gap, asked=asked, given=given, by=by)
+    shares = []
+    for arms, play, sum_asked, estimated in zip(lever, gap, asked, found, strict=True):
+        for pin in range(9):
+            gaps = play - by * (np.arange(9) == pin)
+            low, high = -1.0, 1.0
+            for _ in range(200):
+                turn = (low + high) / 2
+                carried = (np.maximum(arms * turn - gaps, 0) * arms).sum()
+                low, high = (turn, high) if carried < sum_asked else (low, turn)
+            true = max(arms[pin] * high - gaps[pin], 0)
+            assert estimated[pin] >= true * (1 - EXACT) - 1e-15
+            shares.append(true / estimated[pin] if estimated[pin] > 0 else 1.0)
+    assert float(np.mean(shares)) > 0.9
 
 
 def test_bends_of_the_path_are_those_of_its_differences() -> None:
@@ -171,7 +194,7 @@ def test_pins_are_of_the_standard_and_sleeves_thicker() -> None:
 
 @pytest.mark.parametrize("demand", [SMALL, LARGE])
 def test_a_search_holds_what_is_asked_of_different_parts(demand: Demand) -> None:
-    search = Search([demand], results_of=results_of, missed=keeps, seconds=60.0)
+    search = Search([demand], results_of=results_of, pieces=keeps, seconds=60.0)
     found = list(search.run(3))
     assert [each.verdict.verdict for each in found] == ["pass"] * 3
     assert search.nearest is None or all(each.held for each in found)
@@ -188,7 +211,7 @@ def test_a_search_holds_what_is_asked_of_different_parts(demand: Demand) -> None
 
 def test_what_is_too_small_is_told_why() -> None:
     tiny = Demand(torque=500.0, ratio=20, outer_diameter=0.06, shop=SHOPS["ground"], **CYLINDER)
-    search = Search([tiny], results_of=results_of, missed=keeps, seconds=60.0)
+    search = Search([tiny], results_of=results_of, pieces=keeps, seconds=60.0)
     assert list(search.run(5)) == []
     tally = {each.code: each for each in search.tally}
     assert {"bearing_life", "ring_pressure_disc", "pin_fatigue"} <= {*tally}
@@ -200,9 +223,26 @@ def test_what_is_too_small_is_told_why() -> None:
 
 
 def test_what_pieces_do_not_keep_is_no_proposal() -> None:
-    search = Search([SMALL], results_of=results_of, missed=lambda _: {"backlash": 1.5}, seconds=1.0)
-    assert list(search.run(2)) == []
-    assert search.nearest is not None and search.nearest.ratios == {"backlash": 1.5}
+    """Too few go together, or their backlash is too large."""
+    asked = replace(SMALL, backlash=1e-2)
+    for pieces, missed in (
+        (Pieces(0.89, 1e-3), {"interference": math.inf}),
+        (Pieces(0.9, 1.5e-2), {"backlash": pytest.approx(1.5)}),
+    ):
+        search = Search([asked], results_of=results_of, pieces=lambda _, p=pieces: p, seconds=1.0)
+        assert list(search.run(2)) == []
+        assert search.nearest is not None and search.nearest.ratios == missed
+
+
+def test_the_ring_of_pieces_is_told_over_its_limit() -> None:
+    """The largest of the utilisations of both bodies, times what pieces add to the pressure."""
+    search = Search([SMALL], results_of=results_of, pieces=keeps, seconds=60.0)
+    (found,) = search.run(1)
+    own = max(
+        found.verdict[code].utilisation or 0.0
+        for code in ("ring_pressure_disc", "ring_pressure_pin")
+    )
+    assert found.ring_utilisation == pytest.approx(1.5 * own, rel=EXACT)
 
 
 def test_a_small_backlash_is_expected_of_large_pin_circles() -> None:
