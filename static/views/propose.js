@@ -20,7 +20,7 @@ let former = {}; // what was found before the page was built anew
 
 const digitsOf = (unit) => (unit === "mm" ? 4 : 3);
 
-/** The word on it: pieces whose ring pins press too hard make of works just works. */
+/** The word on it: pieces whose ring pins press too hard make it marginal. */
 const wordOf = ({ verdict, columns }) => (verdict === "pass" && columns.ring_utilisation > 1 ? "marginal" : verdict);
 
 function proposalMarkup({ verdict, columns }, name) {

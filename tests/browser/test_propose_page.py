@@ -39,6 +39,15 @@ def filled(page: Page, asked: dict[str, object], path: str = "") -> None:
             one.fill(f"{value:g}")
 
 
+def test_a_ring_that_pieces_press_too_hard_makes_it_marginal(page: Page, service: str) -> None:
+    """Parts without errors pass."""
+    show(page, service, "crank-planetary")
+    unfolded(page)
+    filled(page, REQUESTS["propose"] | {"outer_diameter_mm": 80.0, "length_mm": 50.0})
+    page.locator('.propose [data-path="torque_Nm"] .box').press("Enter")
+    expect(page.locator(".proposal")).to_contain_text("Marginal")
+
+
 def test_a_proposal_is_found_and_opened(page: Page, service: str, watch: Watch) -> None:
     asked = REQUESTS["propose"]
     show(page, service, "crank-planetary")
@@ -53,7 +62,7 @@ def test_a_proposal_is_found_and_opened(page: Page, service: str, watch: Watch) 
     expect(row).to_have_count(1)
     expect(row).to_contain_text("20:1")
     expect(row).to_contain_text("Works")
-    expect(row.locator("dl > div")).to_have_count(7)
+    expect(row.locator("dl > div")).to_have_count(8)
     expect(page.locator(".propose .state")).to_contain_text("Found: 1.")
     fits_narrow_screens(page, "crank-planetary")
     page.get_by_role("button", name="Open design 20:1").click()
