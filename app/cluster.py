@@ -1,8 +1,9 @@
 """Studies on a Dask cluster whose scheduler the operator names.
 
-Without a scheduler nothing of Dask is installed, imported or started. A task is some blocks of
-pieces, calculated by the function that local processes use: the study is sent, the worker draws the
-samples, and results are bit for bit independent of the number of workers.
+Without a scheduler nothing of Dask is installed, imported or started. A task is some blocks, of
+pieces or of a sweep's points, calculated by the function that local processes use: the study is
+sent, the worker draws the samples, and results are bit for bit independent of the number of
+workers.
 """
 
 import hashlib
@@ -14,8 +15,6 @@ from typing import Any
 
 from app.compiled import load
 from core.errors import CalculationError
-from core.tolerance.study import Block, Mapped, Pieces
-from core.tolerance.tolerances import Drawn
 
 LOG = logging.getLogger("khv.cluster")
 
@@ -28,7 +27,13 @@ CONNECT_S = 3
 LOOK_S = 1
 """Interval at which a study that waits for workers looks for them, s."""
 
-CORE = Path(__file__).parent.parent / "core"
+ROOT = Path(__file__).parent.parent
+
+Block = Callable[[Any], Any]
+"""Function that calculates a block; a study's can be pickled."""
+
+Cut = Callable[[Block, Sequence[Any]], Iterator[Any]]
+"""Function that calculates blocks and yields their results in their order."""
 
 
 class Lost(Exception):
@@ -37,10 +42,10 @@ class Lost(Exception):
 
 @cache
 def version() -> str:
-    """Hash of the core's sources in this process, on which the numbers depend."""
+    """Hash of the sources in this process, on which the numbers depend."""
     found = hashlib.sha256()
-    for path in sorted(CORE.rglob("*.py")):
-        found.update(path.relative_to(CORE).as_posix().encode() + b"\0" + path.read_bytes())
+    for path in sorted(each for room in ("app", "core") for each in (ROOT / room).rglob("*.py")):
+        found.update(path.relative_to(ROOT).as_posix().encode() + b"\0" + path.read_bytes())
     return found.hexdigest()
 
 
@@ -51,7 +56,7 @@ def _prepared() -> str:
     return version()
 
 
-def task(block: Block, blocks: Sequence[Drawn]) -> tuple[str, list[Pieces]]:
+def task(block: Block, blocks: Sequence[Any]) -> tuple[str, list[Any]]:
     """Version of a worker's sources, and results of some blocks there."""
     return _prepared(), [block(each) for each in blocks]
 
@@ -78,9 +83,9 @@ def _result(client: Any, future: Any) -> Any:
             client.wait_for_workers(1, timeout=LOOK_S)
 
 
-def _there(address: str, block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
+def _there(address: str, block: Block, blocks: Sequence[Any], least: int) -> Iterator[Any]:
     """Results of blocks from the workers, in order; raises `Lost`."""
-    many = -(-PIECES // len(blocks[0]))
+    many = -(-least // len(blocks[0]))
     tasks = [blocks[first : first + many] for first in range(0, len(blocks), many)]
     try:
         client = _client(address)
@@ -97,19 +102,20 @@ def _there(address: str, block: Block, blocks: Sequence[Drawn]) -> Iterator[Piec
         raise Lost(f"{type(error).__name__}: {error}") from error
 
 
-def on_cluster(address: str, lost: Callable[[Lost], Mapped]) -> Mapped:
+def on_cluster(address: str, lost: Callable[[Lost], Cut], least: int = PIECES) -> Cut:
     """Function that calculates blocks on the cluster with a scheduler at an address.
 
     `lost` is called once if the cluster is lost; it returns the function to use instead, or raises.
+    A task has at least so many entries of blocks.
     """
-    elsewhere: Mapped | None = None  # replacement once the cluster is lost
+    elsewhere: Cut | None = None  # replacement once the cluster is lost
 
-    def mapped(block: Block, blocks: Sequence[Drawn]) -> Iterator[Pieces]:
+    def mapped(block: Block, blocks: Sequence[Any]) -> Iterator[Any]:
         nonlocal elsewhere
         done = 0
         if not elsewhere:
             try:
-                for results in _there(address, block, blocks):
+                for results in _there(address, block, blocks, least):
                     done += 1
                     yield results
                 return

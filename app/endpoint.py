@@ -328,8 +328,8 @@ def _theme(request: Request) -> str:
 
 
 def encoded(values: Any) -> bytes:
-    """Values of an answer as JSON, without absent values. Raises ImpossibleMechanism if a number is
-    not finite, as the input exceeded the range of doubles.
+    """Values of an answer as JSON, without absent values but in columns named by pointers. Raises
+    ImpossibleMechanism if a number is not finite, as the input exceeded the range of doubles.
     """
     content = orjson.dumps(
         values,
@@ -349,6 +349,6 @@ def _nulls(values: Any, name: str) -> Iterator[str]:
     elif isinstance(values, dict):
         for inner, value in values.items():
             yield from _nulls(value, inner)
-    elif isinstance(values, list):
+    elif isinstance(values, list) and not name.startswith("/"):
         for value in values:
             yield from _nulls(value, name)

@@ -53,7 +53,8 @@ TAGS = [
     {"name": "precessional gear", "description": "Precessional gear with a roller wheel."},
     {
         "name": "exploration",
-        "description": "Inputs that are solved for a result, and reducers for a requirement.",
+        "description": "Results over inputs, inputs solved for a result, reducers for a "
+        "requirement.",
     },
     {"name": "accuracy", "description": "Error against run time of the methods."},
     {"name": "files", "description": "Parts of a design as files for other programs."},

@@ -26,6 +26,7 @@ FIRST = (
     "precession/shaft-deflection",
     "solve",
     "propose",
+    "sweep",
     "work-precision",
 )
 """Names of calculations in the order in which a request's path is compared; others follow."""

@@ -1,21 +1,19 @@
 """One input of a calculation solved for one of its results: request, answer."""
 
 import math
-from collections.abc import Iterator
-from copy import deepcopy
-from functools import cache, cached_property
-from typing import Annotated, Any, ClassVar, Literal
+from typing import ClassVar, Literal
 
-from pydantic import Field, TypeAdapter, ValidationError
+from pydantic import Field
 
-from app.calculations import (
-    contact_force,
-    crank_planetary,
-    hertz,
-    roller_strength,
-    shaft_deflection,
+from app.calculations.varied import (
+    REFUSALS,
+    Pointer,
+    VariedFields,
+    at,
+    is_number,
+    is_of_a_list,
+    refused,
 )
-from app.calculations.crank_planetary_sections import SECTIONS, CrankPlanetaryRequest
 from app.model import (
     AccuracyOut,
     AssumingResponse,
@@ -31,20 +29,15 @@ from app.model import (
     result,
     timed,
 )
-from app.pointers import has_number, holder, inner, keys, with_values
+from app.pointers import holder, keys
 from app.problems import (
     FieldProblem,
-    Problem,
-    named,
     problem_of,
     refusal,
-    refuse_for,
-    wrong_fields,
 )
 from app.rules import Forms
-from app.settings import Settings
 from app.worked import stated
-from core.errors import Accuracy, CalculationError, InvalidInput, Notice
+from core.errors import Accuracy, InvalidInput
 from core.fixes.fix import PIN_SIZES
 from core.numerics.inverse import (
     MOST_WHOLE,
@@ -58,33 +51,11 @@ from core.numerics.inverse import (
     solve_for,
 )
 
-SOLVED = {
-    each.name: each
-    for each in (
-        module.CALCULATION
-        for module in (
-            hertz,
-            contact_force,
-            crank_planetary,
-            roller_strength,
-            shaft_deflection,
-        )
-    )
-}
-"""Calculations whose inputs can be solved."""
-
-LINKED = ("/contact/pin_radius_mm", "/contact/eccentricity_mm")
-"""Inputs that the hole follows with unchanged clearance."""
-
-HOLE = "/contact/hole_radius_mm"
-
 LONG_SAMPLES = 17
 """Number of first samples of the range if each takes long."""
 
 FEW_SAMPLES = 3
 """Number of answers without the section of the target after which the search ends."""
-
-Pointer = Annotated[str, Field(pattern="^/", max_length=200)]
 
 
 class VariableFields(RequestModel):
@@ -123,7 +94,7 @@ class TargetFields(RequestModel):
         return next((sense, given[sense]) for sense in SENSES if sense in given)
 
 
-class SolveRequest(WorkedFields):
+class SolveRequest(VariedFields, WorkedFields):
     """Calculation with its input, the field that may change, and the wanted result."""
 
     calculation: Literal[
@@ -133,7 +104,6 @@ class SolveRequest(WorkedFields):
         "roller-strength",
         "precession/shaft-deflection",
     ] = Field(description="Name of the calculation.")
-    input: dict[str, Any] = Field(description="Request of the calculation.")
     variable: VariableFields
     target: TargetFields
     want: Want = Field(
@@ -141,109 +111,38 @@ class SolveRequest(WorkedFields):
     )
 
     @property
-    def adapter(self) -> TypeAdapter[RequestModel]:
-        """Validator of the calculation's requests."""
-        return TypeAdapter(SOLVED[self.calculation].request)
+    def varied(self) -> dict[str, str]:
+        """Pointer to the variable."""
+        return {"/variable/pointer": self.variable.pointer}
 
-    @cached_property
-    def design(self) -> dict[str, Any]:
-        """Input, with only the requested sections that the target needs."""
-        design = deepcopy(self.input)
-        target = keys(self.target.pointer)
-        sections = SECTIONS
-        if self.calculation == "crank-planetary":
-            design["include"] = [target[0] if target and target[0] in sections else "checks"]
-            if target and {target[0], target[-1]} & {"torque_reserve", "largest_torque_Nm"}:
-                design["include"].append("largest_torque")
-        elif self.calculation in ("roller-strength", "precession/shaft-deflection"):
-            design["include"] = ["checks"] if target[:1] == ["checks"] else []
-        return design
-
-    @cached_property
-    def asked(self) -> RequestModel:
-        """Input as the calculation's own request; a problem if the calculation refuses it."""
-        try:
-            return self.adapter.validate_python(self.design)
-        except ValidationError as error:
-            raise _refused(error) from None
-
-    def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
-        """Assumptions of the calculation except the solved input; an unknown clearance is assumed
-        to be 0, as a target of forces is that of perfect parts.
-        """
-        given, asked = [*self.asked.assumed()], self.asked
-        contact = getattr(asked, "contact", None)
-        whole = isinstance(asked, CrankPlanetaryRequest)
-        if whole and contact is not None and contact.clearance_unknown:
-            given.append((("contact", "hole_clearance_mm"), 0.0))
-        for path, value in given:
-            if list(path) != keys(self.variable.pointer):
-                yield ("input", *path), value
-
-    def notices(self) -> tuple[Notice, ...]:
-        """Notices of inputs that are interpreted differently from their typed form."""
-        return self.asked.notices()
-
-    def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse an input that its calculation refuses by its fields alone. An input that is no
-        design as it is typed may be one at another value.
-        """
-        asked = self.asked
-        try:
-            asked.refuse_beyond(settings)
-        except Problem as error:
-            raise _refused(error) from error
-        except InvalidInput as error:
-            if error.code == "service_limit":
-                raise _refused(named(error, asked)) from error
+    @property
+    def targets(self) -> dict[str, str]:
+        """Pointer to the result."""
+        return {"/target/pointer": self.target.pointer}
 
     def solve(self) -> tuple[Solution, dict[str, float], list[str], list[FieldProblem]]:
         """Solution, values that it sets, linked inputs, and why inputs beyond its edge fail."""
-        calculation, adapter = SOLVED[self.calculation], self.adapter
-        long = math.isinf(self.asked.cost())
-        parts = keys(self.variable.pointer)
-        place = holder(self.input, parts)
-        if not isinstance(place, dict) or not _is_number(place.get(parts[-1], 0)):
-            raise refusal("/variable/pointer", "not_there", field="input")
-        target = keys(self.target.pointer)
-        if not has_number(_schema(self.calculation), target):
-            raise refusal("/target/pointer", "not_there", field="answer")
-        start: Any = place.get(parts[-1])
-        hole = holder(self.input, keys(HOLE))
-        linked = []
-        if self.variable.pointer in LINKED and hole and _is_number(start):
-            linked = [HOLE] if _is_number(hole.get("hole_radius_mm")) else []
-
-        def setting(value: float) -> dict[str, float]:
-            one = {self.variable.pointer: value}
-            return one | {HOLE: hole["hole_radius_mm"] + (value - start)} if linked else one
-
-        def changed(value: float) -> dict[str, Any]:
-            return with_values(self.design, setting(value))
-
+        long, inputs = self.long, self.inputs
+        variable, target = self.variable.pointer, self.target.pointer
         results: list[float] = []
         refusals: dict[float, Exception] = {}
 
         def answer(value: float) -> float:
             try:
-                asked = adapter.validate_python(changed(value))
-                values = _values(calculation, asked)
-            except (Problem, CalculationError, ValidationError) as error:
-                if isinstance(error, Problem) and _is_of_a_list(error):
-                    raise _refused(error) from error
+                values = inputs.answer({variable: value})
+            except REFUSALS as error:
+                if is_of_a_list(error):
+                    raise refused(error) from error
                 refusals[value] = error
                 return math.nan
-            found = _at(values, target)
-            results.append(float(found) if _is_number(found) else math.nan)
-            most = FEW_SAMPLES if holder(values, target) is None else LONG_SAMPLES
+            found = at(values, target)
+            results.append(float(found) if is_number(found) else math.nan)
+            most = FEW_SAMPLES if holder(values, keys(target)) is None else LONG_SAMPLES
             if long and len(results) >= most and all(map(math.isnan, results)):
                 raise refusal("/target/pointer", "not_there", field="answer")
             return results[-1]
 
-        between = math.floor(self.variable.low) + 0.5
-        wrong = _wrong(adapter, changed(between))
-        if "extra_forbidden" in wrong:
-            raise refusal("/variable/pointer", "not_there", field="input")
+        whole = inputs.takes_whole(variable, self.variable.low, "/variable/pointer")
         sense, wanted = self.target.wanted
         try:
             found = solve_for(
@@ -253,7 +152,7 @@ class SolveRequest(WorkedFields):
                 target=wanted,
                 sense=sense,
                 want=self.want,
-                integer=self.variable.integer or "int_type" in wrong,
+                integer=self.variable.integer or whole,
                 log=self.variable.log,
                 samples=LONG_SAMPLES if long else SAMPLES,
             )
@@ -262,21 +161,15 @@ class SolveRequest(WorkedFields):
             params = error.params | ({"field": "from"} if error.code == "larger_than" else {})
             raise refusal(f"/variable/{name}", error.code, **params) from error
         if not results:
-            raise _refused(next(iter(refusals.values())))
+            raise refused(next(iter(refusals.values())))
         if all(map(math.isnan, results)):
             raise refusal("/target/pointer", "not_there", field="answer")
-        sets = {} if found.value is None else setting(found.value)
+        sets = {} if found.value is None else inputs.setting({variable: found.value})
         outside = _outside(found, self.want)
-        refused = []
+        beyond = []
         if outside in refusals:
-            refused = problem_of(_refused(refusals[outside])).errors
-        return found, sets, linked, refused
-
-
-@cache
-def _schema(name: str) -> dict[str, Any]:
-    """JSON schema of a calculation's answer."""
-    return TypeAdapter(SOLVED[name].answer).json_schema()
+            beyond = problem_of(refused(refusals[outside])).errors
+        return found, sets, inputs.linked, beyond
 
 
 def _outside(found: Solution, want: Want) -> float | None:
@@ -286,48 +179,6 @@ def _outside(found: Solution, want: Want) -> float | None:
     if found.bracket is not None:
         return next(end for end in found.bracket if end != found.value)
     return found.value + (1 if want == "largest" else -1)
-
-
-def _values(calculation: Calculation, asked: RequestModel) -> Values:
-    """Values of an answer; a refusal names the fields of this request."""
-    try:
-        return calculation.solve(asked)
-    except CalculationError as error:
-        refuse_for(asked, error)
-
-
-def _wrong(adapter: TypeAdapter[RequestModel], changed: dict[str, Any]) -> set[str]:
-    """Kinds of errors of values that were set in a valid input."""
-    try:
-        adapter.validate_python(changed)
-    except ValidationError as error:
-        return {each["type"] for each in error.errors()}
-    return set()
-
-
-def _is_of_a_list(error: Problem) -> bool:
-    """True if a list does not fit the number that was set, which no range of numbers cures."""
-    return any(each.code == "different_length" for each in error.errors)
-
-
-def _refused(error: Exception) -> Exception:
-    """Reason for the refusal of an input, in the names of this request."""
-    problem = wrong_fields(error) if isinstance(error, ValidationError) else error
-    if not isinstance(problem, Problem):
-        return error
-    return problem.beneath("/input")
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
-
-
-def _at(answer: Values, target: list[str]) -> Any:
-    """Value at a pointer of an answer; None if there is none."""
-    found: Any = answer
-    for part in target:
-        found = inner(found, part)
-    return found
 
 
 class BestOut(ResponseModel):

@@ -130,7 +130,8 @@ class Client:
         self, calculation: str, body: Mapping[str, Any] | None = None, /, **fields: Any
     ) -> Iterator[Answer]:
         """Lines of an answer as the service finds it: ``{"progress": 0.4, "proposal": {...}}`` of
-        `propose`, ``{"progress": 0.25}`` of `tolerance-study`, and at last ``{"result": {...}}``.
+        `propose`, ``{"progress": 0.25}`` of `tolerance-study` and `sweep`, and at last
+        ``{"result": {...}}``.
 
         Closing the iterator ends the calculation. `Refused` is raised as by `ask`.
         """

@@ -30,7 +30,14 @@ OF_THE_VERDICT = {"checks", "largest_torque", "fixes", "combined", "worked"}
 OF_THE_ANSWER = {"crank_angle_deg", "include", "fixes_for"}
 """Fields of the request that say what is answered, not what is designed."""
 
-OF_OTHERS = {"crank-planetary", "propose", "solve", "tolerance-study", "work-precision"}
+OF_OTHERS = {
+    "crank-planetary",
+    "propose",
+    "solve",
+    "sweep",
+    "tolerance-study",
+    "work-precision",
+}
 """Calculations whose numbers are those of others, or random."""
 
 

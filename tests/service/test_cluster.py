@@ -100,9 +100,9 @@ def test_a_cluster_gives_the_same_bits_with_a_worker_killed_on_the_way(
         assert bits(own.values(own.pieces())) == here and len(lost) == 1
 
 
-def last_line(url: str, body: dict[str, Any]) -> dict[str, Any]:
+def last_line(url: str, body: dict[str, Any], path: str = "tolerance-study") -> dict[str, Any]:
     response = httpx.post(
-        f"{url}/api/v1/tolerance-study", json=body, headers=STREAM, timeout=60, trust_env=False
+        f"{url}/api/v1/{path}", json=body, headers=STREAM, timeout=60, trust_env=False
     )
     assert response.status_code == 200, response.text
     found: dict[str, Any] = json.loads(response.text.splitlines()[-1])
@@ -127,3 +127,20 @@ def test_the_service_calculates_studies_there_and_here_when_it_is_lost(cluster: 
         alone = last_line(service.url, BODY)["result"]
     assert [each["code"] for each in alone["warnings"]] == ["cluster_lost"]
     assert alone["quantities"] == found["quantities"]
+
+
+def test_a_sweep_gives_the_same_bits_there() -> None:
+    axis = {"pointer": "/load/output_torque_Nm", "from": 50.0, "to": 300.0, "steps": 21}
+    design = {name: each for name, each in BODY.items() if name not in ("tolerances", "samples")}
+    asked = {"calculation": "crank-planetary", "input": design, "axes": [axis]}
+    there = Cluster()
+    try:
+        with running_service(dask=there.address, processes=1) as service:
+            on_cluster = last_line(service.url, asked, path="sweep")["result"]
+    finally:
+        there.stop()
+    with running_service(processes=2) as service:
+        here = last_line(service.url, asked, path="sweep")["result"]
+    for each in (on_cluster, here):
+        del each["accuracy"]["run_time_us"]
+    assert on_cluster == here and len({*here["outputs"]["/checks/governing/utilisation"]}) == 21
