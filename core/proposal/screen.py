@@ -57,7 +57,7 @@ RADIAL = 0.6
 SAFE = 1.3
 """Limit of a pressure over the pressure that is estimated to last."""
 
-BENDING = 300e6
+BENDING = 450e6
 """Bending stress that is estimated to last in a pin, Pa."""
 
 BESIDE = 1e-3
@@ -223,6 +223,7 @@ class Screen:
     def _teeth(self) -> FloatArray:
         """Radius of ring pins, radius of their circle and eccentricity of all teeth, m, as rows."""
         pins, outer, rows = self.demand.lobes + 1, self.diameter / 2, []
+        self.crowded = 0  # sizes of pins without room on their circle
         for size in pin_sizes()[:, 0]:
             circle = math.floor((min(outer / HOUSING, outer - LEAST_WALL) - size / 2) * 1e4) / 1e4
             apart = 2 * circle * math.sin(math.pi / pins)
@@ -230,6 +231,8 @@ class Screen:
                 least, most = (each * circle / pins / STEP for each in SHORTENING)
                 steps = np.linspace(math.ceil(least), math.floor(most), ECCENTRICITIES).round()
                 rows += [(size / 2, circle, step * STEP) for step in np.unique(steps) if step > 0]
+            else:
+                self.crowded += 1
         return np.array(rows).reshape(-1, 3)
 
     def of(self, name: str, which: NDArray[np.int_]) -> FloatArray:

@@ -133,6 +133,9 @@ OF_PLASTICS = {each.code for each in PLASTICS} | {
 """Checks that may stay open of discs of plastic."""
 
 
+BETWEEN = "ring_pin_room"
+"""Check of the room between ring pins."""
+
 OF_RING = ("ring_pressure_disc", "ring_pressure_pin", "ring_static_cold")
 """Checks of the pressure between discs and ring pins."""
 
@@ -311,9 +314,12 @@ class Search:
 
     @property
     def tally(self) -> list[Tally]:
-        """Numbers of designs that each check rejects by the screen, most first."""
+        """Numbers of designs that each check rejects by the screen, most first; of ring pins that
+        have no room on their circle the number of sizes.
+        """
         failed, only = Counter[str](), Counter[str]()
         for screen in self.screens:
+            failed[BETWEEN] += screen.crowded
             named = screen.rejected
             count = np.sum([*named.values()], axis=0)
             for code, wrong in named.items():
@@ -389,11 +395,10 @@ class Search:
 
     def _ends(self, enough: bool, all_found: bool) -> bool:
         """True if as many hold as wanted, or if the time is over and enough was found."""
-        if all_found:
-            self.ended = "wanted"
-        elif enough and self.spent > self.seconds:
-            self.ended = "time"
-        return self.ended != "all"
+        late = enough and self.spent > self.seconds
+        if all_found or late:
+            self.ended = "wanted" if all_found else "time"
+        return all_found or late
 
     def _learn(self, screen: Screen, index: int, found: Verdict) -> None:
         """Keep the judged over the estimated reserve of checks that do not pass, the largest of

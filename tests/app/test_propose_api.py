@@ -2,19 +2,21 @@
 
 import json
 import math
+import random
 from typing import Any
 
 import numpy as np
 import pytest
 
-from app.calculations.propose import ProposeRequest, pieces_of
+from app.calculations.propose import METALS, ProposeRequest, pieces_of
 from app.examples import REQUESTS
 from app.units import to_si
 from core.bearings import BEARINGS
 from core.precision import EXACT
 from core.proposal.screen import Screen, numbers_of_pins
 from core.proposal.search import document
-from core.proposal.shop import PINS, pin_sizes
+from core.proposal.shop import PINS, SHOPS, pin_sizes
+from tests.oracles.seeds import seeds
 
 pytestmark = pytest.mark.anyio
 
@@ -172,6 +174,44 @@ async def test_proposals_come_as_they_are_found(api: Any) -> None:
     assert [each["proposal"] for each in found] == last["result"]["proposals"]
     assert [each["progress"] for each in found] == sorted(each["progress"] for each in found)
     assert math.isclose(found[-1]["progress"], 1.0)
+
+
+def drawn(seed: int) -> dict[str, Any]:
+    """A task of any size."""
+    draw = random.Random(seed)
+    asked = {
+        "torque_Nm": 10 ** draw.uniform(-1, 4),
+        "ratio": draw.randint(5, 60),
+        "outer_diameter_mm": draw.uniform(30, 600),
+        "process": draw.choice([*SHOPS]),
+        "wanted": 1,
+    }
+    others = {
+        "length_mm": draw.uniform(10, 300),
+        "input_speed_rpm": 10 ** draw.uniform(0, 4.3),
+        "life_h": 10 ** draw.uniform(1, 5.3),
+        "materials": {draw.choice(["disc", "pins", "ring_pins"]): draw.choice(METALS)},
+        "output": "ring",
+        "discs": 3,
+        "min_efficiency": draw.uniform(0.5, 0.99),
+        "max_backlash_arcmin": 10 ** draw.uniform(-1, 2),
+    }
+    return asked | {name: each for name, each in others.items() if draw.random() < 0.3}
+
+
+@pytest.mark.parametrize("seed", seeds(3))
+async def test_any_task_has_an_answer_within_what_is_asked(api: Any, seed: int) -> None:
+    asked = drawn(seed)
+    answer = await api.answer(PATH, asked)
+    assert answer["proposals"] or answer["tally"]
+    for proposal in answer["proposals"]:
+        columns = proposal["columns"]
+        assert columns["outer_diameter_mm"] <= asked["outer_diameter_mm"] * (1 + EXACT)
+        assert columns["length_mm"] <= asked.get("length_mm", math.inf) * (1 + EXACT)
+        assert columns["efficiency"] >= asked.get("min_efficiency", 0)
+        assert columns["backlash_arcmin"] <= asked.get("max_backlash_arcmin", math.inf)
+        torque = columns.get("largest_torque_Nm", columns.get("yield_torque_Nm"))
+        assert torque >= asked["torque_Nm"]
 
 
 @pytest.mark.parametrize(

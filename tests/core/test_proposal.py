@@ -58,7 +58,7 @@ TRUE = {
     "bearing_life": (0.75, 1.1),
     "crank_bearing_life": (0.75, 1.15),
     "contact_pressure_hole": (0.7, 1.25),
-    "pin_fatigue": (0.5, 1.1),
+    "pin_fatigue": (0.85, 1.1),
 }
 """Range of the estimated reserve over the judged one, by check."""
 
