@@ -27,6 +27,7 @@ FIRST = (
     "solve",
     "propose",
     "sweep",
+    "sensitivity",
     "work-precision",
 )
 """Names of calculations in the order in which a request's path is compared; others follow."""

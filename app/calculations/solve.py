@@ -122,7 +122,7 @@ class SolveRequest(VariedFields, WorkedFields):
 
     def solve(self) -> tuple[Solution, dict[str, float], list[str], list[FieldProblem]]:
         """Solution, values that it sets, linked inputs, and why inputs beyond its edge fail."""
-        long, inputs = self.long, self.inputs
+        long, inputs = self.long, self.settable
         variable, target = self.variable.pointer, self.target.pointer
         results: list[float] = []
         refusals: dict[float, Exception] = {}
@@ -169,7 +169,7 @@ class SolveRequest(VariedFields, WorkedFields):
         beyond = []
         if outside in refusals:
             beyond = problem_of(refused(refusals[outside])).errors
-        return found, sets, inputs.linked, beyond
+        return found, sets, inputs.linked([variable]), beyond
 
 
 def _outside(found: Solution, want: Want) -> float | None:

@@ -12,16 +12,17 @@ from app.calculations.varied import (
     GOVERNING,
     JUDGED,
     REFUSALS,
+    CalculationName,
     Inputs,
     Pointer,
     VariedFields,
     VariedResponse,
     at,
+    impossible,
     is_number,
     is_of_a_list,
     refused,
 )
-from app.cut import over_all
 from app.model import (
     AccuracyOut,
     Maybe,
@@ -38,7 +39,7 @@ from app.model import (
 )
 from app.problems import FieldProblem, problem_of, refusal
 from app.rules import Forms
-from app.settings import Settings, current
+from app.settings import Settings
 from core.errors import Accuracy
 from core.numerics.inverse import Want
 from core.precision import SEARCHED
@@ -102,23 +103,7 @@ class ObjectiveFields(RequestModel):
 class SweepRequest(VariedFields):
     """Calculation with its input, the inputs that vary, and the results that are read."""
 
-    calculation: Literal[
-        "hertz",
-        "contact-force",
-        "crank-planetary",
-        "roller-strength",
-        "precession/shaft-deflection",
-        "cyclogram",
-        "output-efficiency",
-        "fit",
-        "load-sharing",
-        "ring-mesh",
-        "pin-strength",
-        "satellite-bearing",
-        "crankshaft",
-        "precession/contact-line",
-        "precession/meshing-load",
-    ] = Field(description="Name of the calculation.")
+    calculation: CalculationName = Field(description="Name of the calculation.")
     axes: list[AxisFields] = Field(
         min_length=1, max_length=2, description="Inputs that vary; the last one varies first."
     )
@@ -164,7 +149,7 @@ class SweepRequest(VariedFields):
     @cached_property
     def grid(self) -> "Grid":
         """Points of the sweep."""
-        inputs, axes = self.inputs, []
+        inputs, axes = self.settable, []
         for k, axis in enumerate(self.axes):
             numbers = axis.numbers(f"/axes/{k}")
             if inputs.takes_whole(axis.pointer, numbers[0], f"/axes/{k}/pointer"):
@@ -234,7 +219,7 @@ class Grid:
 
 def _status(answer: Values) -> Status:
     """Verdict of an answer, if it has one."""
-    if any(each.get("impossible") for each in answer.get("checks", ())):
+    if impossible(answer):
         return "impossible"
     status: Status = answer.get("verdict", "ok")
     return status
@@ -324,10 +309,9 @@ def _best(body: SweepRequest, rows: Sequence[Row]) -> Values | None:
 
 def _rows(body: SweepRequest, report: Report) -> list[Row]:
     """Results at all points: of closed forms in this process, of others in all."""
-    grid, rows, settings = body.grid, list[Row](), body.grid.inputs.settings or current()
+    grid, rows = body.grid, list[Row]()
     size = max(1, min(len(grid) // BLOCKS, BLOCK)) if body.long else len(grid)
-    mapped = over_all(settings.dask, settings.processes) if body.long else map
-    for found in mapped(grid.rows, grid.blocks(size)):
+    for found in body.cut(grid.rows, grid.blocks(size)):
         for row in found:
             if row.of_all and row.problem:
                 raise refusal(row.problem.pointer, row.problem.code, **row.problem.params)
@@ -354,7 +338,7 @@ def reporting(body: SweepRequest, report: Report) -> Values:
             "governing": [codes.index(each.governing) if each.governing else -1 for each in rows],
             "reasons": _reasons(rows),
             "best": _best(body, rows),
-            "linked": body.grid.inputs.linked,
+            "linked": body.grid.inputs.linked(name for name, _ in body.grid.axes),
             "accuracy": accuracy_values(accuracy, run_time_us),
         }
     )

@@ -1,11 +1,11 @@
 """Input of a calculation whose numbers vary: what `/solve`, `/sweep` and `/sensitivity` share."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from copy import deepcopy
 from dataclasses import dataclass
 from functools import cache, cached_property
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import Field, PrivateAttr, TypeAdapter, ValidationError
 
@@ -27,10 +27,12 @@ from app.calculations import (
     shaft_deflection,
 )
 from app.calculations.crank_planetary_sections import SECTIONS, CrankPlanetaryRequest
-from app.model import AssumedOut, Maybe, RequestModel, ResponseModel, Values, WarningOut
+from app.cluster import Cut
+from app.cut import over_all
+from app.model import AssumedOut, Maybe, RequestModel, ResponseModel, Result, Values, WarningOut
 from app.pointers import has_number, holder, inner, keys, with_values
 from app.problems import Problem, named, refusal, refuse_for, wrong_fields
-from app.settings import Settings
+from app.settings import Settings, current
 from core.errors import CalculationError, InvalidInput, Notice
 
 VARIED = {
@@ -58,6 +60,11 @@ VARIED = {
 }
 """Calculations whose inputs can vary."""
 
+if TYPE_CHECKING:
+    CalculationName = str
+else:
+    CalculationName = Literal[tuple(VARIED)]
+
 JUDGED = ("crank-planetary", "roller-strength", "precession/shaft-deflection")
 """Those whose answers have checks on request."""
 
@@ -67,10 +74,14 @@ GOVERNING = "/checks/governing/utilisation"
 LARGEST = {"torque_reserve", "largest_torque_Nm"}
 """Results for which the largest torque is searched."""
 
-LINKED = ("/contact/pin_radius_mm", "/contact/eccentricity_mm")
-"""Inputs that the hole follows with unchanged clearance."""
+PIN = "/contact/pin_radius_mm"
 
-HOLE = "/contact/hole_radius_mm"
+FOLLOWING = {
+    "/contact/hole_radius_mm": {PIN: 1.0, "/contact/eccentricity_mm": 1.0},
+    "/pin/diameter_mm": {PIN: 2.0},
+}
+"""Inputs that follow others with unchanged difference, and how much they do: holes with unchanged
+clearance, pins that have no sleeve."""
 
 REFUSALS = (Problem, CalculationError, ValidationError)
 """Exceptions by which a calculation refuses an input."""
@@ -122,9 +133,15 @@ class VariedFields(RequestModel):
         return math.isinf(self.asked.cost())
 
     @property
-    def inputs(self) -> "Inputs":
+    def cut(self) -> Cut:
+        """Function that calculates blocks: of closed forms in this process, of others in all."""
+        settings = self._settings or current()
+        return over_all(settings.dask, settings.processes) if self.long else map
+
+    @property
+    def settable(self) -> "Inputs":
         """Input whose numbers are set; a problem if it has no such numbers."""
-        start = {}
+        start: dict[str, float | None] = {}
         for field, pointer in self.varied.items():
             parts = keys(pointer)
             place = holder(self.input, parts)
@@ -134,11 +151,20 @@ class VariedFields(RequestModel):
         for field, pointer in self.targets.items():
             if not has_number(_schema(self.calculation), _by_place(keys(pointer), "0")):
                 raise refusal(field, "not_there", field="answer")
-        hole = holder(self.input, keys(HOLE))
-        radius = hole.get("hole_radius_mm") if isinstance(hole, dict) else None
-        follows = any(is_number(start.get(each)) for each in LINKED) and HOLE not in start
-        linked = radius if follows and is_number(radius) else None
-        return Inputs(self.calculation, self.design, start, linked, self._settings)
+        return Inputs(self.calculation, self.design, start, self._linked(start), self._settings)
+
+    def _linked(self, start: Mapping[str, float | None]) -> dict[str, float]:
+        """Typed values of inputs that follow those that vary."""
+        linked = {}
+        for pointer, others in FOLLOWING.items():
+            value, radius = at(self.input, pointer), at(self.input, PIN)
+            sleeve = pointer.startswith("/pin") and not (
+                is_number(value) and is_number(radius) and math.isclose(value, 2 * radius)
+            )
+            moved = any(start.get(each) is not None for each in others)
+            if moved and is_number(value) and not sleeve:
+                linked[pointer] = value
+        return linked
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Assumptions of the calculation except inputs that vary; an unknown clearance is assumed
@@ -191,41 +217,47 @@ class Inputs:
     calculation: str  # its name
     design: dict[str, Any]  # input as typed
     start: dict[str, float | None]  # typed numbers by pointer; None for those not given
-    hole: float | None  # typed radius of the hole that follows; None if none does
+    following: dict[str, float]  # typed numbers that follow these, by pointer
     settings: Settings | None  # limits of the operator
 
-    @property
-    def linked(self) -> list[str]:
-        """Pointers to inputs that follow those that vary."""
-        return [] if self.hole is None else [HOLE]
+    def linked(self, names: Iterable[str]) -> list[str]:
+        """Pointers to inputs that follow some that are set."""
+        moved = [each for each in names if self.start[each] is not None]
+        follow = (name for name in self.following if name not in moved)
+        return [name for name in follow if not FOLLOWING[name].keys().isdisjoint(moved)]
 
     def setting(self, values: Mapping[str, float]) -> dict[str, float]:
-        """Numbers that are set, with that of the hole that follows."""
-        if self.hole is None:
-            return {**values}
-        moved = [
-            value - start
+        """Numbers that are set, with those that follow."""
+        moved = {
+            name: value - start
             for name, value in values.items()
-            if name in LINKED and (start := self.start[name]) is not None
-        ]
-        return {**values, HOLE: self.hole + sum(moved)}
+            if (start := self.start[name]) is not None
+        }
+        return {**values} | {
+            name: self.following[name]
+            + sum(FOLLOWING[name].get(each, 0.0) * by for each, by in moved.items())
+            for name in self.linked(values)
+        }
 
     def changed(self, values: Mapping[str, float]) -> dict[str, Any]:
         """Input with other numbers."""
         return with_values(self.design, self.setting(values))
 
-    def answer(self, values: Mapping[str, float]) -> Values:
-        """Values of the answer to an input with other numbers; one of `REFUSALS` if there is none.
-        A list that does not fit a number is a problem of the whole request.
-        """
+    def solved(self, values: Mapping[str, float], solve: Callable[[Any], Result]) -> Result:
+        """Result of an input with other numbers; one of `REFUSALS` if there is none."""
         asked = _adapter(self.calculation).validate_python(self.changed(values))
         try:
             if self.settings:
                 asked.refuse_beyond(self.settings)
-            found: Values = VARIED[self.calculation].solve(asked)
-            return found
+            return solve(asked)
         except CalculationError as error:
             refuse_for(asked, error)
+
+    def answer(self, values: Mapping[str, float]) -> Values:
+        """Values of the answer to an input with other numbers; one of `REFUSALS` if there is
+        none.
+        """
+        return self.solved(values, VARIED[self.calculation].solve)
 
     def takes_whole(self, pointer: str, near: float, field: str) -> bool:
         """True if an input takes whole numbers only; a problem of a field if there is no input."""
@@ -263,6 +295,11 @@ def at(answer: Values, target: str) -> Any:
     for part in _by_place(keys(target), answer.get("governing") or ""):
         found = inner(found, part)
     return found
+
+
+def impossible(answer: Values) -> bool:
+    """True if a check says that parts cannot be put together or move."""
+    return any(each.get("impossible") for each in answer.get("checks", ()))
 
 
 def is_of_a_list(error: Exception) -> bool:

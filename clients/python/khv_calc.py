@@ -130,7 +130,7 @@ class Client:
         self, calculation: str, body: Mapping[str, Any] | None = None, /, **fields: Any
     ) -> Iterator[Answer]:
         """Lines of an answer as the service finds it: ``{"progress": 0.4, "proposal": {...}}`` of
-        `propose`, ``{"progress": 0.25}`` of `tolerance-study` and `sweep`, and at last
+        `propose`, ``{"progress": 0.25}`` of `tolerance-study`, `sweep`, `sensitivity`, at last
         ``{"result": {...}}``.
 
         Closing the iterator ends the calculation. `Refused` is raised as by `ask`.

@@ -23,7 +23,7 @@ CONFIG = schemathesis.Config.from_dict(
         # their limits are tried of three, whose examples give unlike fields.
         "operations": [
             {
-                "include-path-regex": "/tolerance-study|/propose|/sweep|/export/"
+                "include-path-regex": "/tolerance-study|/propose|/sweep|/sensitivity|/export/"
                 "|/(?!hertz)[^/]*/chart|/(ring-mesh|crankshaft|satellite-bearing|pin-strength|fit)$",
                 "phases": {"coverage": {"enabled": False}},
             }

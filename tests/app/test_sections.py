@@ -33,6 +33,7 @@ OF_THE_ANSWER = {"crank_angle_deg", "include", "fixes_for"}
 OF_OTHERS = {
     "crank-planetary",
     "propose",
+    "sensitivity",
     "solve",
     "sweep",
     "tolerance-study",

@@ -21,6 +21,7 @@ from app.main import create_app
 from app.pointers import with_values
 from app.settings import Settings
 from core.precision import SAME
+from tests.inputs.hostile import HOSTILE, POINTERS
 from tests.running_service import eventually
 
 pytestmark = pytest.mark.anyio
@@ -269,10 +270,6 @@ def test_processes_end_with_their_owner(tmp_path: Path) -> None:
     os.kill(owner.pid, signal.SIGKILL)
     owner.join()
     assert eventually(lambda: all(map(gone, numbers)))
-
-
-HOSTILE = (0, -1, 2, 3.5, 1e-320, 1e308, -1e12, 1e12, 10**30, "NaN", "1e999", None, [], {}, True)
-POINTERS = ("/", "//", "/~2", "/contact", "/contact/", "/contact/pin_radius_mm/0", "", 7, "x" * 300)
 
 
 async def test_hostile_sweeps_are_refused_or_answered(api: Any) -> None:

@@ -12,6 +12,7 @@ from copy import deepcopy
 import pytest
 
 from app.calculations.solve import SolveRequest
+from app.calculations.varied import Inputs
 from app.examples import EXAMPLES, REQUESTS
 from app.problems import Problem
 from core.checks.records import CHECKS
@@ -887,11 +888,13 @@ async def test_an_edge_beyond_which_the_input_is_refused_says_so(api):
 def test_what_is_no_number_is_no_target_and_takes_few_looks(monkeypatch, target, most, sense):
     looks = []
 
-    def values(calculation, asked):
-        looks.append(asked)
-        return calculation.solve(asked)
+    answer = Inputs.answer
 
-    monkeypatch.setattr("app.calculations.solve._values", values)
+    def counted(inputs, values):
+        looks.append(values)
+        return answer(inputs, values)
+
+    monkeypatch.setattr(Inputs, "answer", counted)
     asked = deepcopy(REQUESTS["solve"]) | {"target": {"pointer": target, sense: 1.0}}
     asked["input"]["contact"]["hole_radius_mm"] = 10.02
     with pytest.raises(Problem) as refused:

@@ -53,7 +53,7 @@ async def test_more_samples_are_better_and_dearer(api):
     )
 
 
-MADE_OF_OTHERS = {"crank-planetary", "propose", "solve", "sweep", "work-precision"}
+MADE_OF_OTHERS = {"crank-planetary", "propose", "sensitivity", "solve", "sweep", "work-precision"}
 
 
 @pytest.mark.parametrize("calculation", sorted(CALCULATIONS.keys() - MADE_OF_OTHERS))

@@ -251,7 +251,7 @@ def test_what_is_solved_says_how(calculation: str) -> None:
 
 def test_every_calculation_is_worked() -> None:
     """Exceptions are studies of methods and searches, which concern numbers of others."""
-    without = {"propose", "sweep", "work-precision"}
+    without = {"propose", "sensitivity", "sweep", "work-precision"}
     for name, calculation in CALCULATIONS.items():
         fields = getattr(calculation.request, "model_fields", {})
         assert ("worked" in str(fields.get("include"))) == (name not in without), name
