@@ -327,7 +327,7 @@ def pieces_of(document: Document) -> Pieces:
     if not (backlash["percentiles"] and pressure["percentiles"]):
         return Pieces(together)
     kept, pressed = (each["percentiles"][0]["value"] for each in (backlash, pressure))
-    return Pieces(together, to_si("backlash_arcmin", kept), pressed / pressure["nominal"])
+    return Pieces(together, to_si("backlash_arcmin", kept), to_si("pressure_MPa", pressed))
 
 
 class _Found:

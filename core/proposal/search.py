@@ -145,7 +145,7 @@ class Pieces(NamedTuple):
 
     together: float  # share of them that go together
     backlash: float | None = None  # of the output, that nine tenths of them keep, rad
-    ring_pressure: float | None = None  # that nine tenths keep, over that of perfect parts
+    ring_pressure: float | None = None  # that nine tenths of them keep, Pa
 
 
 @dataclass(frozen=True)
@@ -185,8 +185,10 @@ class Judged:
         """
         of_ring = [each for each in self.verdict.checks if each.code in OF_RING]
         found = [each.utilisation for each in of_ring if each.utilisation is not None]
-        over = self.pieces.ring_pressure
-        return over * max(found) if over and found else None
+        pressure = self.pieces.ring_pressure
+        if not found or pressure is None:
+            return None
+        return max(found) * pressure / self.results.ring.working[0].max_pressure
 
     @property
     def plastic(self) -> bool:
