@@ -4,13 +4,15 @@ Blocks are numbered, and their results keep this order, so that bits do not hang
 """
 
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context, parent_process
 from threading import Thread
 from typing import Any
 
-from app.cluster import Cut, Lost, on_cluster
+from app.cluster import Block, Cut, Lost, on_cluster
+from app.problems import unavailable
 
 
 def _end_with_owner() -> None:
@@ -26,15 +28,20 @@ def _end_with_owner() -> None:
 
 
 def in_processes(count: int) -> Cut:
-    """Function that calculates blocks in processes, which are copies of this one."""
+    """Function that calculates blocks in processes, which are copies of this one; a problem if one
+    is stopped from outside.
+    """
 
-    def mapped(block: Callable[[Any], Any], blocks: Sequence[Any]) -> Iterator[Any]:
-        if min(count, len(blocks)) < 2:
+    def mapped(block: Block, blocks: Sequence[Any]) -> Iterator[Any]:
+        most = min(count, len(blocks))
+        if most < 2:
             yield from map(block, blocks)
             return
-        most = min(count, len(blocks))
         with ProcessPoolExecutor(most, get_context("fork"), _end_with_owner) as pool:
-            yield from pool.map(block, blocks)
+            try:
+                yield from pool.map(block, blocks)
+            except BrokenProcessPool:
+                raise unavailable("A process of the calculation was stopped") from None
 
     return mapped
 

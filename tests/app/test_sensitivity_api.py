@@ -76,6 +76,16 @@ async def test_closed_forms_have_their_exponents(
     assert all(one >= other - 0.01 for one, other in pairwise(sizes))
 
 
+async def test_derivatives_are_in_order_also_of_whole_numbers(api: Any) -> None:
+    """One pin more changes the pressure by more than other steps, but its exponent is less."""
+    names = ["/mechanism/pins", PIN, TORQUE]
+    found = await changes(
+        api, "crank-planetary", PERFECT, output="/hertz/max_pressure_MPa", inputs=names
+    )
+    assert [*found] == [PIN, TORQUE, "/mechanism/pins"]
+    assert found["/mechanism/pins"]["plus"]["change"] < -50.0
+
+
 async def test_the_error_covers_the_curvature(api: Any) -> None:
     """The exponent of a narrow gap, 1/r - 1/R, is not constant over the steps."""
     design = {"force_N": 5000.0, "contact_length_mm": 20.0, "pin_radius_mm": 9.9}

@@ -19,8 +19,9 @@ from app.cut import in_processes
 from app.examples import EXAMPLES, REQUESTS
 from app.main import create_app
 from app.pointers import with_values
+from app.problems import Problem
 from app.settings import Settings
-from core.precision import SAME
+from core.precision import EXACT, SAME
 from tests.inputs.hostile import HOSTILE, POINTERS
 from tests.running_service import eventually
 
@@ -209,6 +210,16 @@ async def test_the_operator_limits_the_number_of_points() -> None:
         assert (await client.post("sweep", json=of_hertz(RADIUS))).status_code == 200
 
 
+async def test_points_beyond_the_limits_of_the_operator_are_impossible() -> None:
+    transport = httpx.ASGITransport(create_app(Settings(max_pairs=10)))
+    axis = {"pointer": "/mechanism/pins", "values": [5, 6]}
+    async with httpx.AsyncClient(transport=transport, base_url="http://service/api/v1/") as client:
+        answer = (await client.post("sweep", json=of_design(axis))).json()
+    assert answer["status"] == ["incomplete", "impossible"]
+    (reason,) = answer["reasons"]
+    assert (reason["code"], reason["pointer"]) == ("too_many_pairs", "/input/mechanism/pins")
+
+
 async def test_a_value_beyond_the_limits_of_the_service_is_an_impossible_point(api: Any) -> None:
     axis = {"pointer": "/mechanism/pins", "values": [3, 10**9]}
     answer = await api.answer("sweep", of_design(axis))
@@ -227,6 +238,32 @@ def test_bits_do_not_hang_on_the_cut() -> None:
         assert [k for block in blocks for k in block] == [*range(13)]
         cut = in_processes(processes)(body.grid.rows, blocks)
         assert [row for rows in cut for row in rows] == alone
+
+
+def end(number: int) -> int:
+    if number == 2:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return number
+
+
+def test_a_process_that_is_stopped_ends_the_request_as_unavailable() -> None:
+    with pytest.raises(Problem) as refused:
+        [*in_processes(2)(end, [1, 2, 3])]
+    assert refused.value.kind == "unavailable"
+
+
+async def test_the_largest_torque_is_where_the_governing_check_is_at_its_limit(api: Any) -> None:
+    design = next(each["input"] for each in EXAMPLES if each["id"] == "opening")
+    asked = {
+        "calculation": "crank-planetary",
+        "input": design,
+        "variable": {"pointer": TORQUE, "from": 10.0, "to": 1e4},
+        "target": {"pointer": USED, "at_most": 1.0},
+        "want": "largest",
+    }
+    found = await api.answer("solve", asked)
+    most = await api.answer("crank-planetary", design | {"include": ["largest_torque"]})
+    assert found["value"] == pytest.approx(most["largest_torque_Nm"], rel=EXACT)
 
 
 async def test_progress_comes_in_lines(api: Any) -> None:
