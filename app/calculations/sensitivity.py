@@ -324,7 +324,8 @@ def _values(body: SensitivityRequest, report: Report) -> Values:
             raise invalid_input([middle.problem])
         raise refusal("/output", "not_there", field="answer")
     study, found = replace(study, middle=middle), list[tuple[float, Values]]()
-    for rows in body.cut(study.rows, [[name] for name in study.steps]):
+    blocks = [[name] for name in study.steps] if body.long else [[*study.steps]]
+    for rows in body.cut(study.rows, blocks):
         found += rows
         report(len(found) / len(study.steps))
     return {

@@ -47,9 +47,9 @@ from core.precision import SEARCHED
 MOST_VALUES = 1000
 """Largest number of values of an axis."""
 
-BLOCKS, BLOCK = 16, 4
-"""Number of blocks of points that few points make, and largest size of a block, which takes up to
-half a second."""
+BLOCKS, BLOCK, LIGHT_BLOCK = 16, 4, 500
+"""Number of blocks of points that few points make, and largest sizes of a block, which takes up to
+a second: of points that take long, and of others."""
 
 Status = Literal["ok", "pass", "marginal", "fail", "incomplete", "impossible"]
 
@@ -308,9 +308,9 @@ def _best(body: SweepRequest, rows: Sequence[Row]) -> Values | None:
 
 
 def _rows(body: SweepRequest, report: Report) -> list[Row]:
-    """Results at all points: of closed forms in this process, of others in all."""
+    """Results at all points."""
     grid, rows = body.grid, list[Row]()
-    size = max(1, min(len(grid) // BLOCKS, BLOCK)) if body.long else len(grid)
+    size = max(1, min(len(grid) // BLOCKS, BLOCK)) if body.long else LIGHT_BLOCK
     for found in body.cut(grid.rows, grid.blocks(size)):
         for row in found:
             if row.of_all and row.problem:

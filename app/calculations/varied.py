@@ -36,26 +36,23 @@ from app.settings import Settings, current
 from core.errors import CalculationError, InvalidInput, Notice
 
 VARIED = {
-    each.name: each
+    each.CALCULATION.name: each.CALCULATION
     for each in (
-        module.CALCULATION
-        for module in (
-            hertz,
-            contact_force,
-            crank_planetary,
-            roller_strength,
-            shaft_deflection,
-            cyclogram,
-            output_efficiency,
-            fit,
-            load_sharing,
-            ring_mesh,
-            pin_strength,
-            satellite_bearing,
-            crankshaft,
-            contact_line,
-            meshing_load,
-        )
+        hertz,
+        contact_force,
+        crank_planetary,
+        roller_strength,
+        shaft_deflection,
+        cyclogram,
+        output_efficiency,
+        fit,
+        load_sharing,
+        ring_mesh,
+        pin_strength,
+        satellite_bearing,
+        crankshaft,
+        contact_line,
+        meshing_load,
     )
 }
 """Calculations whose inputs can vary."""
@@ -134,9 +131,9 @@ class VariedFields(RequestModel):
 
     @property
     def cut(self) -> Cut:
-        """Function that calculates blocks: of closed forms in this process, of others in all."""
+        """Function that calculates blocks, on the cluster if they take long."""
         settings = self._settings or current()
-        return over_all(settings.dask, settings.processes) if self.long else map
+        return over_all(settings.dask if self.long else "", settings.processes)
 
     @property
     def settable(self) -> "Inputs":
