@@ -33,7 +33,13 @@ OWN = {
         "1.2",  # the safety of the pressure, where none is asked
         "0.85",  # Z_NT for 1e10 loads
     },
-    "tutorial_cycloid.md": {"0.001"},  # of the drawings
+    "tutorial_cycloid.md": {
+        "0.001",  # of the drawings
+        "0.002",  # of the measured ring
+        "0.9",  # changes in per cent
+        "0.4",
+        "0.98",  # of the limit: 1075 over 819, times 881 over 1185
+    },
 }
 """Numbers of the text that stand in no block."""
 
@@ -44,8 +50,19 @@ EXPECTED = {
     "modification_unknown",
     "ring_deviations_unknown",
     "seat_rigid",
+    "ring_pieces",
+    "guide_tolerances",
 }
 """Warnings of these designs."""
+
+
+STATED = {
+    "propose": 0.02,  # the largest torque is searched to 1 %
+    "tolerance-study": 0.1,
+    "sweep": 1e-5,
+    "sensitivity": 1e-5,
+}
+"""Relative errors that these calculations may state."""
 
 
 def named(record, answer):
@@ -86,7 +103,7 @@ def accuracies(answer):
 
 
 def test_every_request_is_followed_by_its_answer():
-    assert len(STEPS) == 8 + 7
+    assert len(STEPS) == 8 + 6
     blocks = [language for each in BLOCKS.values() for language, _ in each]
     assert blocks.count("json") == len(STEPS)
 
@@ -101,10 +118,9 @@ async def test_the_service_gives_the_printed_numbers(api, path, body, following)
     answer = response.json()
     compare(json.loads(text, parse_float=Decimal, parse_int=Decimal), answer)
     assert {*WARNED.findall(response.text)} <= EXPECTED
-    solved = "fit" in json.loads(body).get("contact", {})
+    solved = {"fit", "hole_clearance_mm"} & {*json.loads(body).get("contact", {})}
     worst = max((each["relative_error"] for each in accuracies(answer)), default=0.0)
-    stated = {"ring-mesh": 1e-10, "propose": 0.02}  # the largest torque is searched to 1 %
-    assert worst < (1e-3 if solved else stated.get(path, 1e-12))
+    assert worst < STATED.get(path, 1e-3 if solved else 1e-12)
 
 
 @pytest.mark.parametrize("name", TUTORIALS)
