@@ -22,6 +22,7 @@ from app.model import (
     Whole,
     accuracy_values,
     core_paths,
+    pointer,
     present,
     quantity,
     result,
@@ -62,11 +63,9 @@ STUDY: Values = {
 """Request of `/tolerance-study` for the pieces of a design, beside the design."""
 
 METALS = tuple(
-    name
-    for name, each in MATERIALS.items()
-    if each.group not in PLASTICS and not each.missing and each.material.limit
+    name for name, each in MATERIALS.items() if each.group not in PLASTICS and not each.missing
 )
-"""Materials with a known limit of the contact pressure."""
+"""Metals; without a known limit of the contact pressure no design holds."""
 
 SOFT = tuple(
     name
@@ -259,6 +258,9 @@ class RatioOut(ResponseModel):
     asked_over_reached: Maybe[float] = Field(
         description="Demand over what is reached: of the torque, where it decides."
     )
+    missing: Maybe[list[str]] = Field(
+        description="JSON pointers into `design` to values without which the check stays open."
+    )
 
 
 class NearestOut(ProposalOut):
@@ -292,6 +294,12 @@ class ProposeResponse(ResponseModel):
 @cache
 def _paths() -> dict[str, list[tuple[str, ...]]]:
     return core_paths(CrankPlanetaryRequest)
+
+
+def _pointer(name: str) -> str:
+    """JSON pointer to a field of a request of `/crank-planetary` by its core name."""
+    depth = name.count(".") + 1
+    return pointer(next(each for each in _paths()[name] if len(each) == depth))
 
 
 def in_json(document: Document) -> dict[str, Any]:
@@ -373,10 +381,12 @@ class _Found:
         found = None if self.shown else self.search.nearest
         if found is None:
             return None
-        lacks = [
-            {"code": code} | ({"asked_over_reached": over} if math.isfinite(over) else {})
-            for code, over in found.ratios.items()
-        ]
+        lacks = []
+        for code, over in found.ratios.items():
+            check = found.unknown.get(code)
+            names = [_pointer(each) for each in check.missing] if check else None
+            known = over if math.isfinite(over) else None
+            lacks.append(present({"code": code, "asked_over_reached": known, "missing": names}))
         return self.proposal(found) | {"lacks": lacks}
 
 

@@ -315,7 +315,9 @@ class Screen:
         return [first + index * pitch for index in range(self.discs)]
 
     def _pair(self, pin: str) -> tuple[float, float]:
-        """Reduced modulus of a disc and its pins, Pa, and pressure that is estimated to last."""
+        """Reduced modulus of a disc and its pins, Pa, and pressure that is estimated to last;
+        infinite if no limit of them is known.
+        """
         bodies = [MATERIALS[each].material for each in (pin, self.demand.disc)]
         gives = sum((1 - each.poissons_ratio**2) / each.youngs_modulus for each in bodies)
         limits = [each.limit.pressure / SAFE for each in bodies if each.limit]
@@ -325,7 +327,7 @@ class Screen:
             for each in bodies
             if each.plastic and each.yield_strength
         ]
-        return 1 / gives, min(limits)
+        return 1 / gives, min(limits, default=math.inf)
 
     def _press_ring(self) -> None:
         """Set the reserves of teeth and of the satellites' bearings by the set of pins that

@@ -155,7 +155,7 @@ class Judged:
     document: Document
     results: Results  # of the document
     verdict: Verdict  # under its torque, of parts without errors
-    pieces_of: Callable[[Document], Pieces]
+    pieces_of: Callable[[Document], Pieces]  # pieces of a document
 
     @cached_property
     def pieces(self) -> Pieces:
@@ -230,14 +230,25 @@ class Judged:
         return self.holds and not self.missed
 
     @property
+    def unknown(self) -> dict[str, Check]:
+        """Checks that are open for another reason than that no source closes them for a plastic."""
+        soft = OF_PLASTICS if any(each.code in FIRST_YIELD for each in self.verdict.checks) else ()
+        return {
+            each.code: each for each in self.verdict.checks if each.opens and each.code not in soft
+        }
+
+    @property
     def ratios(self) -> dict[str, float]:
-        """Asked over reached, above 1, by the codes of failed checks, the worst first."""
+        """Asked over reached, above 1, by the codes of failed checks, the worst first; infinite for
+        those that are open.
+        """
         found = {
             each.code: asked_over_reached(each)
             for each in self.verdict.checks
             if each.status == "fail" or (each.code in FIRST_YIELD and _yields(each))
         }
-        return dict(sorted((found | self.missed).items(), key=lambda item: -item[1]))
+        found |= dict.fromkeys(self.unknown, math.inf) | self.missed
+        return dict(sorted(found.items(), key=lambda item: -item[1]))
 
     @property
     def worst(self) -> float:
@@ -381,6 +392,8 @@ class Search:
             found = self._judge(document(screen=screen, index=index))
             if not found:
                 continue
+            if found.unknown and {*found.unknown} == {*found.ratios}:
+                break  # every design lacks these values
             if not found.passed:
                 self._learn(screen, index, found.verdict)
                 marginal += [found] * found.holds

@@ -153,6 +153,21 @@ async def test_where_plastic_yields_the_nearest_says_so(api: Any) -> None:
     assert answer["nearest"]["lacks"][0]["code"] == "ring_static_cold"
 
 
+async def test_a_value_that_no_source_has_is_named(api: Any) -> None:
+    asked = EASY | {"materials": {"disc": "aluminium_7075_t6"}}
+    answer = await api.answer(PATH, asked)
+    assert answer["proposals"] == [] and answer["judged"] <= 4
+    nearest = answer["nearest"]
+    assert nearest["verdict"] == "incomplete"
+    missing = ["/contact/hole_material/allowable_pressure_MPa"]
+    codes = ("contact_pressure_hole", "ring_pressure_disc")
+    assert nearest["lacks"] == [{"code": each, "missing": missing} for each in codes]
+    named = {"name": "aluminium_7075_t6", "allowable_pressure_MPa": 700.0}
+    contact = nearest["design"]["contact"] | {"hole_material": named}
+    posted = nearest["design"] | {"contact": contact, "include": ["checks"]}
+    assert (await api.answer("crank-planetary", posted))["verdict"] in ("pass", "marginal", "fail")
+
+
 async def test_where_none_holds_it_is_told_why(api: Any) -> None:
     answer = await api.answer(PATH, HARD | {"outer_diameter_mm": 60.0})
     assert (answer["proposals"], answer["ended"]) == ([], "all")
