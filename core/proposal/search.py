@@ -4,7 +4,7 @@ import math
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from typing import Any, Literal, NamedTuple
 
@@ -16,7 +16,9 @@ from core.checks.reserve import crank_verdict
 from core.design.results import Results
 from core.errors import CalculationError
 from core.proposal.screen import MOST, Demand, Screen, numbers_of_pins
-from core.proposal.shop import NOTCH, RELIABILITY
+from core.proposal.shop import NOTCH, RELIABILITY, Shop
+from core.tolerance.iso286 import Limits, class_limits
+from core.tolerance.processes import PROCESSES
 
 Document = dict[str, Any]
 """Design document in SI units, nested as its JSON is."""
@@ -53,6 +55,23 @@ def diameters(most: float) -> list[float]:
     """Outer diameters that are tried, m: the largest one to 0.1 um, and smaller ones to 1 mm."""
     largest, *others = (most * part for part in SMALLER)
     return [math.floor(largest * 1e7 + 1e-3) / 1e7, *(math.floor(d * 1e3) / 1e3 for d in others)]
+
+
+def _tolerances(shop: Shop, pin_radius: float) -> Document:
+    """Tolerances of the pieces of a shop; limits of pins where those of holes are of no class."""
+    made = PROCESSES[shop.code].hole
+    sizes = {"hole": made, "pin": shop.pin_class, "ring_pin": shop.pin_class}
+    if isinstance(made, Limits):
+        sizes["pin"] = class_limits(size=2 * pin_radius, tolerance_class=shop.pin_class)
+    return {
+        **{f"{part}_position": shop.zone for part in sizes},
+        **{
+            f"{part}_diameter": asdict(size)
+            if isinstance(size, Limits)
+            else {"tolerance_class": size}
+            for part, size in sizes.items()
+        },
+    }
 
 
 def document(*, screen: Screen, index: int) -> Document:
@@ -112,12 +131,7 @@ def document(*, screen: Screen, index: int) -> Document:
         },
         "satellite_body": {"bore_radius": bearing.outer_diameter / 2},
         "build": {"housing_diameter": screen.diameter},
-        "tolerances": {
-            "process": shop.code,
-            "pin_diameter": {"tolerance_class": shop.pin_class},
-            "ring_pin_position": shop.zone,
-            "ring_pin_diameter": {"tolerance_class": shop.pin_class},
-        },
+        "tolerances": _tolerances(shop, at["touching"]),
         "requirements": asked,
     }
 

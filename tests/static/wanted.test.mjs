@@ -612,3 +612,14 @@ test("the ideal force is measured with what its endpoint knows of a load, whatev
   assert.ok("output_torque_Nm" in ideal);
   assert.deepEqual(Object.keys(ideal).filter((name) => name in every && !fieldsOf("/contact-force").includes(name)), []);
 });
+
+test("tolerances of a design open the study by the way in which they are said, and a verdict knows where ring pins may stand", () => {
+  const sizesOf = (tolerances) => inputOf({ mechanism: { satellites: 2 }, tolerances }).besides.study.sizes;
+  assert.equal(sizesOf({ process: "ground" }), "process");
+  assert.equal(sizesOf({ hole_diameter: { class: "H7" } }), "class");
+  assert.equal(sizesOf({ hole_diameter: { lower_mm: -0.4, upper_mm: 0 } }), "limits");
+  const input = inputOf({ mechanism: { satellites: 2 }, tolerances: { ring_pin_position_mm: 0.01, hole_position_mm: 0.02 } });
+  assert.deepEqual(documentOf(input).tolerances, { ring_pin_position_mm: 0.01 });
+  const off = { ...input, besides: { ...input.besides, study: {} } };
+  assert.equal(documentOf(off).tolerances, undefined);
+});

@@ -403,6 +403,7 @@ export function documentOf({ mechanism, load, contact, besides = {}, ...others }
   const made = isOn({ besides }, "real");
   const { deviations: { pins, holes, cranks, ring_pins: ringPins } = {}, requirements } = besides;
   const { contact_law: law = {}, satellite_coupling: shared, pin, fatigue, rollers, friction, gear: { kind, ...gear } = {}, bearing, crankshaft, build = {} } = besides;
+  const zone = isOn({ besides }, "study") ? besides.tolerances?.ring_pin_position_mm : undefined;
   const deviations = {
     ...(made && { ...listsOf(pins), ...listsOf(holes, bySatellites(mechanism.pins)), ...listsOf(cranks) }),
     ...(on("ring_mesh") && listsOf(ringPins)),
@@ -423,6 +424,7 @@ export function documentOf({ mechanism, load, contact, besides = {}, ...others }
       bearing: on("satellite_bearing") && bearing,
       crankshaft: on("crankshaft") && crankshaft,
       build: on("envelope") && build,
+      tolerances: zone !== undefined && { ring_pin_position_mm: zone }, // all that a verdict says of them
       ...others,
       requirements: requirements ? { ...others.requirements, ...requirements } : others.requirements,
     }),
@@ -434,6 +436,12 @@ export function documentOf({ mechanism, load, contact, besides = {}, ...others }
 export function drawnDocument(input, answer, [{ body: { include, ...asked } }]) {
   refuseMore(asked.mechanism, MOST_PAIRS.drawn);
   return asked;
+}
+
+/** How tolerances say the diameters of holes and pins. */
+function sizesOf({ process, hole_diameter: hole, pin_diameter: pin }) {
+  if (process) return "process";
+  return [hole, pin].some((size) => size?.lower_mm !== undefined) ? "limits" : "class";
 }
 
 /** What the form shows of a design document: the groups are on whose parts it has; a pin of one material has it in one field. */
@@ -458,7 +466,7 @@ export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bea
       ...((gear?.modification || shifted(gear)) && { teeth: on }),
       ...(crankshaft && { crank: on, crankshaft }),
       ...(build && { housing: on, build }),
-      ...(tolerances?.process && { study: { ...on, sizes: "process" }, tolerances }),
+      ...(tolerances && { study: { ...on, sizes: sizesOf(tolerances) }, tolerances }),
       ...(requirements && { requirements }),
     },
   };
