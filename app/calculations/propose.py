@@ -48,7 +48,7 @@ from core.proposal.shop import SHOPS, ShopName
 SECONDS = 10.0
 """Processor time after which a search that is answered in lines judges no further design, s."""
 
-SHARE = 0.4
+SHARE = 0.5
 """Part of the time of a request that a search takes, if it is answered as a whole."""
 
 MOST_RATIOS = 8
@@ -384,9 +384,11 @@ class _Found:
         lacks = []
         for code, over in found.ratios.items():
             check = found.unknown.get(code)
-            names = [_pointer(each) for each in check.missing] if check else None
+            names = [_pointer(each) for each in check.missing] if check else []
             known = over if math.isfinite(over) else None
-            lacks.append(present({"code": code, "asked_over_reached": known, "missing": names}))
+            lacks.append(
+                present({"code": code, "asked_over_reached": known, "missing": names or None})
+            )
         return self.proposal(found) | {"lacks": lacks}
 
 

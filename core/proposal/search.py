@@ -333,6 +333,7 @@ class Search:
             for demand, pins, diameter in tried
         ]
         self.screened = sum(map(len, self.screens))
+        self._looked, self._longest = self.spent, 0.0  # time of the last design, and the longest, s
 
     @property
     def spent(self) -> float:
@@ -423,8 +424,12 @@ class Search:
                 yield found
 
     def _ends(self, enough: bool, all_found: bool) -> bool:
-        """True if as many hold as wanted, or if the time is over and enough was found."""
-        late = enough and self.spent > self.seconds
+        """True if as many hold as wanted, or if enough was found and the time is nearer than the
+        end of another design.
+        """
+        now, before = self.spent, self._looked
+        self._longest, self._looked = max(self._longest, now - before), now
+        late = enough and now + self._longest / 2 > self.seconds
         if all_found or late:
             self.ended = "wanted" if all_found else "time"
         return all_found or late
