@@ -46,7 +46,7 @@ from core.proposal.search import Document, Ended, Judged, Pieces, Search
 from core.proposal.shop import SHOPS, ShopName
 
 SECONDS = 10.0
-"""Processor time after which a search that is answered in lines judges no further design, s."""
+"""Processor time of a search that is answered in lines, s."""
 
 SHARE = 0.5
 """Part of the time of a request that a search takes, if it is answered as a whole."""

@@ -190,8 +190,8 @@ OF_INPUT = {
         mend="Give the deviations of the pins, measured or drawn by their tolerances.",
     ),
     "ring_pieces": limit(
-        "The verdict is that of parts without errors. What pieces with the stated tolerances of "
-        "the ring's pins reach is told by the tolerance study.",
+        "The verdict is that of parts without errors. The tolerance study tells how hard pieces "
+        "with the stated tolerances of the ring's pins press.",
         title="Ring of perfect parts",
         tests="Deviations of the pins of the ring are given.",
         why="Pins within their tolerances may press the discs twice as hard as those in place.",

@@ -58,7 +58,8 @@ SAFE = 1.3
 """Limit of a pressure over the pressure that is estimated to last."""
 
 BENDING = 450e6
-"""Bending stress that is estimated to last in a pin, Pa."""
+"""Bending stress that is estimated to last in a pin, Pa: about that at which judged pins of bearing
+steel reach their fatigue limit."""
 
 BESIDE = 1e-3
 """Least gap between a bearing of the crankshaft and the pins, m."""

@@ -305,7 +305,7 @@ class Search:
     pieces : callable
         Pieces of a document with the tolerances in it.
     seconds : float
-        Processor time after which no further design is judged, s.
+        Processor time, s; no design is begun that is expected to end more than half after it.
     """
 
     def __init__(
