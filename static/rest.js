@@ -1,30 +1,32 @@
 /**
- * What of a calculator at work stands under the figures or is opened by hand: the wanted groups, designs compared, all
+ * What of a calculator at work stands behind tabs and folds or is opened by hand: the wanted groups, designs compared, all
  * results, worked steps, accuracy, the report, sizing. Loaded once the first figures are drawn (workbench.js).
  */
 import { element, html } from "./lib/html.js";
 import { message } from "./messages/index.js";
 import { problemText } from "./service_texts.js";
-import { following } from "./store.js";
+import { following, tabbed } from "./store.js";
 import { createAccuracy } from "./views/accuracy.js";
 import { createCompare } from "./views/compare.js";
 import { nameFiles } from "./views/files.js";
-import { foldable, remembering } from "./views/fold.js";
+import { remembering } from "./views/fold.js";
 import { createReport } from "./views/report.js";
 import { createResults } from "./views/results.js";
 import { createSizing } from "./views/sizing.js";
-import { createWanted } from "./views/wanted.js";
+import { ALL, createWanted } from "./views/wanted.js";
 import { createWorked } from "./views/worked.js";
+
+const LOOK_MS = 50;
 
 /**
  * `figures` are those of the report, which the wanted groups join. `on.opened(input, labels,
  * claim)` takes a design over, `on.applied(sets)` values, `on.compared()` follows the kept designs, `on.told(text)`
  * says what was done, `on.themed(theme)` has the figures drawn anew, with none given as they were.
  */
-export function createRest({ store, inputs, outputs, client, designs, version, calculation, calculations, figures, figureOf, on }) {
+export function createRest({ store, inputs, outputs, panels, client, designs, version, calculation, calculations, figures, figureOf, on }) {
   const { calculator, model, titles, catalogues } = store.state.about;
   const sizing = createSizing({ calculator, client, titles, on: { applied: on.applied } });
-  const wanted = createWanted({ calculator, store, inputs, client, titles, figures, calculations });
+  const wanted = createWanted({ calculator, store, panels, inputs, client, titles, figures, calculations });
   const compare = createCompare({
     model,
     calculator,
@@ -51,21 +53,36 @@ export function createRest({ store, inputs, outputs, client, designs, version, c
   const compared = new Set(calculations.filter((each) => each.compared).map(({ name }) => name));
   const measured = calculator.figures.filter(({ measures }) => compared.has(measures)).map(figureOf);
   const accuracy = createAccuracy({ calculator, about: calculation, figures: measured });
-  const comparing = foldable(compare.root, "compare");
-  foldable(worked.root, "worked");
-  remembering(results.root, "results");
+  panels.add("results", message("results.all"), results.root);
+  panels.add("compare", message("compare.title"), compare.root);
+  remembering(worked.root, "worked");
   remembering(accuracy.root, "accuracy");
   const rest = element(html`<div class="rest"></div>`);
-  rest.append(...[compare, results, worked, accuracy].map(({ root }) => root));
-  outputs.append(wanted.root, rest);
+  rest.append(worked.root, accuracy.root);
+  outputs.append(rest);
+  const apart = ["compare", "results"];
+  const busy = () => Object.values(store.state.besides).some(({ phase }) => phase === "computing");
+  /** Have all that stands behind the tabs asked for and drawn. */
+  async function whole() {
+    panels.all(apart);
+    store.apply(tabbed, ALL);
+    while (busy()) await new Promise((resolve) => setTimeout(resolve, LOOK_MS));
+    await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))); // then the figures see that they have room
+    await Promise.all(figures.map((figure) => figure.settled()));
+  }
   const report = createReport({
     calculator, model, catalogues, version, outputs, figures, worked,
     shown: () => store.state.shown,
+    whole,
     light: () => {
       on.themed("light");
-      return Promise.all(figures.map((figure) => figure.settled()));
+      return whole();
     },
-    back: () => on.themed(),
+    open: (whole) => panels.all(whole ? ["compare"] : apart),
+    back() {
+      on.themed();
+      panels.show(true);
+    },
     failed: (problem) => on.told(message("report.failed", { detail: problemText(problem, titles) })),
   });
   store.show([
@@ -76,7 +93,7 @@ export function createRest({ store, inputs, outputs, client, designs, version, c
     print: () => report.print(),
     save: () => report.save(),
     /** Show the designs side by side. */
-    compare: () => comparing.open(),
+    compare: () => panels.open("compare"),
     size: (path) => store.state.shown && sizing.open(model.fields.get(path), store.state.shown),
     close() {
       sizing.close();

@@ -14,6 +14,7 @@
  * `usual`    what becomes of it with a usual clearance, a usual ring: `{ of: shown, fit?, ring? }` as the service answers, or null
  * `curves`   the curves of a figure that the drawing needs: `{ of: shown, data }`
  * `kept`     the designs that are kept, each with its answer; null until these are known
+ * `tab`      what is open under the drawing
  * `tables`   ids of the figures shown as tables; `theme`, in which figures are drawn
  * `turn`     crank angle and pair selected in the drawing; `own`: where the user has turned it
  * `claim`    what the link or the store said of the design that was opened: `{ typed, unknown?, older?, verdict? }`
@@ -68,7 +69,7 @@ export function opened(about, design, theme, claim = {}, history = null) {
   const typed = withLinks(about.model, design);
   const state = read({
     about, theme, touched: new Set(), insisted: false, address: null, refusal: null, shown: null, fixes: null, limit: null, usual: null, curves: null,
-    kept: null, besides: {}, tables: new Set(), turn: { angle: 0, pair: null, own: false }, line: ["", ""], said: "",
+    kept: null, besides: {}, tab: null, tables: new Set(), turn: { angle: 0, pair: null, own: false }, line: ["", ""], said: "",
     claim: { ...claim, typed },
   }, history ? recorded(history, typed) : begun(typed));
   return { ...state, pending: state.reading.filled };
@@ -154,6 +155,9 @@ export function taken(state, design, claim, time) {
   };
   return read(untouched, recorded(state.history, typed, undefined, time));
 }
+
+/** Another tab is open under the drawing. */
+export const tabbed = (state, tab) => ({ ...state, tab });
 
 /** What was said of the design has been read. */
 export const unclaimed = (state) => ({ ...state, claim: {} });

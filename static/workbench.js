@@ -18,9 +18,11 @@ import { createDrawingView } from "./views/drawing.js";
 import { createExamples } from "./views/examples.js";
 import { createExplanation } from "./views/explanation.js";
 import { createFigure } from "./views/figure.js";
-import { foldable, madeWhenOpened } from "./views/fold.js";
+import { madeWhenOpened } from "./views/fold.js";
 import { createForm } from "./views/form.js";
 import { createNotice } from "./views/notice.js";
+import { createPanels } from "./views/panels.js";
+import { createPlaces } from "./views/places.js";
 import { currentTheme } from "./views/settings.js";
 import { createNumbers, createVerdict } from "./views/verdict.js";
 
@@ -116,13 +118,16 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       size: (path) => rest?.size(path),
       left: (path) => store.apply(next.left, path),
       chosen: (choice, option) => change(next.chose, choice, option),
-      switched: (group, on) => changeAtOnce(next.switched, group, on),
+      switched(group, on) {
+        changeAtOnce(next.switched, group, on);
+        if (on) panels.open(group);
+      },
       asked: (path) => lead(path),
       apply() {
         store.apply(next.insisted);
         asking.now();
         const [first] = store.state.reading.wrong;
-        if (first) form.focus(first);
+        if (first) lead(first);
       },
     },
   });
@@ -142,6 +147,7 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     for (const [choice, option] of Object.entries(optionsOf(model, path))) {
       if (store.state.typed.chosen[choice] !== option) changeAtOnce(next.chose, choice, option);
     }
+    places.show("inputs");
     form.focus(path);
   };
   const verdict = createVerdict({
@@ -149,7 +155,10 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     on: {
       again: () => asking.now(),
       asked: (path) => lead(entryOf(model, path)),
-      shown: (code) => checks.show(code),
+      shown(code) {
+        places.show("answer");
+        checks.show(code);
+      },
       scoped: (parts) => apply({ "/requirements/scope": parts }),
     },
   });
@@ -196,10 +205,8 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
   });
   const figures = calculator.figures.filter(({ measures }) => !measures)
     .map((figure) => figureOf({ ...figure, leads: figure.id === calculator.drawing.figure }));
-  const folds = new Map([["drawing", foldable(drawing.root, "drawing", { open: true })]]);
-  for (const { id, root } of figures) {
-    folds.set(id, foldable(root, id, { open: !calculator.figures.find((figure) => figure.id === id).folded }));
-  }
+  const panels = createPanels({ id: calculator.id, drawing, on: { opened: (tab) => store.apply(next.tabbed, tab) } });
+  for (const { id, root } of figures) panels.add(id, message(`tab.${id}`), root);
   const explanation = createExplanation({ calculator, materialOf });
   const notice = createNotice({ calculator, on: { closed: () => store.apply(next.unclaimed) } });
   const inputs = element(html`<div class="inputs"></div>`);
@@ -207,18 +214,12 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
   const closeProposals = calculator.propose && addProposals();
   inputs.append(form.root);
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
-  const column = (name, ...views) => {
-    const part = element(html`<div class="${name}"></div>`);
-    part.append(...views.map(({ root }) => root));
-    return part;
-  };
-  outputs.append(
-    verdict.root,
-    column("answer", numbers, checks, explanation),
-    column("shown", drawing, ...figures.filter(({ side }) => !side)),
-    column("beside", ...figures.filter(({ side }) => side)),
-  );
-  host.replaceChildren(inputs, outputs);
+  const right = element(html`<div class="right"><div class="answer"></div></div>`);
+  right.prepend(verdict.root);
+  right.lastElementChild.append(...[numbers, checks, explanation].map(({ root }) => root));
+  outputs.append(right, panels.root);
+  const places = createPlaces({ host, signal: listening.signal });
+  host.replaceChildren(places.root, inputs, outputs);
   const enlarge = async (card) => (await import("./views/large.js")).enlarge(card);
   outputs.addEventListener("click", ({ target }) => {
     const button = target.closest(".enlarge");
@@ -259,7 +260,7 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
   const addRest = () => {
     if (listening.signal.aborted) return;
     rest = makeRest({
-      store, inputs, outputs, client, designs, version, calculation, calculations, figures: [...figures], figureOf,
+      store, inputs, outputs, panels, client, designs, version, calculation, calculations, figures: [...figures], figureOf,
       on: {
         opened: (input, labels, claim) => take(stateOf(input, labels), claim),
         applied: apply,
@@ -279,7 +280,7 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     /** When the first figures are drawn. */
     begun: drawn,
     /** To the first box. */
-    begin: () => form.focus(shownFields(model, store.state.typed)[0].path),
+    begin: () => lead(shownFields(model, store.state.typed)[0].path),
     retheme: () => retheme(),
     undo: () => changeAtOnce(next.steppedBack),
     redo: () => changeAtOnce(next.steppedOn),
@@ -288,7 +289,7 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     enlarge() {
       const card = ".figure, .mechanism";
       const pointed = [...outputs.querySelectorAll(".figure:hover, .mechanism:hover")].at(-1);
-      const chosen = [document.activeElement?.closest(card), pointed, drawing.root].find((one) => one && outputs.contains(one) && one.dataset.folded !== "true");
+      const chosen = [document.activeElement?.closest(card), pointed, drawing.root].find((one) => one && outputs.contains(one));
       if (chosen && !document.querySelector("dialog[open]")) enlarge(chosen);
     },
     print: () => asking.settled().then(() => rest?.print()),
@@ -318,6 +319,7 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       asking.cancel();
       listening.abort();
       drawing.close();
+      panels.close();
       closeProposals?.();
       rest?.close();
       for (const figure of figures) figure.close();

@@ -450,9 +450,16 @@ export default {
   status: {
     pass: "met", marginal: "marginal", fail: "not met", not_checked: "not checked", not_asked: "not asked", not_applicable: "does not apply",
   },
-  jumps: { label: "On this page", answer: "Checks", inputs: "Inputs", shown: "Figures", rest: "All" },
+  places: { label: "Parts of the page", inputs: "Inputs", shown: "Drawing", answer: "Checks", rest: "More" },
+  panels: { label: "Figures", drawing: "Drawing" },
+  tab: {
+    force: "Forces", cyclogram: "Cyclogram", hertz: "Pressure", real: "Play, stiffness", fit: "Fit", study: "Tolerances", strength: "Pins", rolling: "Rollers",
+    losses: "Losses", bearings: "Bearings", teeth: "Ring", crank: "Shaft", housing: "Housing", mass: "Mass", rollers: "Curves", contactLines: "Contact lines",
+    lineLoad: "Line load", shaft: "Shaft",
+  },
   checks: {
     title: "Checks",
+    rests: "What this rests on",
     none: "none", noneAllowed: "none allowed",
     waiting: "Made once the inputs give a design.",
     governing: "Governing check",

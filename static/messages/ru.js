@@ -445,9 +445,16 @@ export default {
   status: {
     pass: "выполняется", marginal: "на пределе", fail: "не выполняется", not_checked: "не проверено", not_asked: "требование не задано", not_applicable: "не относится",
   },
-  jumps: { label: "На странице", answer: "Проверки", inputs: "Исходные данные", shown: "Рисунки", rest: "Всё" },
+  places: { label: "Части страницы", inputs: "Данные", shown: "Чертёж", answer: "Проверки", rest: "Ещё" },
+  panels: { label: "Рисунки", drawing: "Чертёж" },
+  tab: {
+    force: "Силы", cyclogram: "Циклограмма", hertz: "Давление", real: "Люфт, жёсткость", fit: "Посадка", study: "Допуски", strength: "Пальцы", rolling: "Ролики",
+    losses: "Потери", bearings: "Подшипники сателлитов", teeth: "Центральное колесо", crank: "Эксцентриковый вал", housing: "Корпус", mass: "Масса", rollers: "Кривые", contactLines: "Линии контакта",
+    lineLoad: "Нагрузка линий", shaft: "Вал",
+  },
   checks: {
     title: "Проверки",
+    rests: "На чём это основано",
     none: "нет", noneAllowed: "не допускается",
     waiting: "Появятся, как только входные данные дадут конструкцию.",
     governing: "Определяющая проверка",

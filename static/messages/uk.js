@@ -445,9 +445,16 @@ export default {
   status: {
     pass: "виконується", marginal: "на межі", fail: "не виконується", not_checked: "не перевірено", not_asked: "вимогу не задано", not_applicable: "не стосується",
   },
-  jumps: { label: "На сторінці", answer: "Перевірки", inputs: "Вхідні дані", shown: "Рисунки", rest: "Усе" },
+  places: { label: "Частини сторінки", inputs: "Дані", shown: "Креслення", answer: "Перевірки", rest: "Ще" },
+  panels: { label: "Рисунки", drawing: "Креслення" },
+  tab: {
+    force: "Сили", cyclogram: "Циклограма", hertz: "Тиск", real: "Люфт, жорсткість", fit: "Посадка", study: "Допуски", strength: "Цівки", rolling: "Ролики",
+    losses: "Втрати", bearings: "Підшипники сателітів", teeth: "Центральне колесо", crank: "Колінчастий вал", housing: "Корпус", mass: "Маса", rollers: "Криві", contactLines: "Лінії контакту",
+    lineLoad: "Навантаження ліній", shaft: "Вал",
+  },
   checks: {
     title: "Перевірки",
+    rests: "На чому це ґрунтується",
     none: "немає", noneAllowed: "не допускається",
     waiting: "З’являться, щойно вхідні дані дадуть конструкцію.",
     governing: "Визначальна перевірка",

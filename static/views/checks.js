@@ -3,7 +3,7 @@ import { checkRow, fixRow, isMended, judgedOf, percent } from "../lib/checks.js"
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { following, stale } from "../store.js";
-import { barMarkup, keepRoom, sign, symbolMarkup } from "./parts.js";
+import { barMarkup, sign, symbolMarkup } from "./parts.js";
 
 const AT_ONCE = 6; // rows in sight; the rest is folded
 const FIXES = 4;
@@ -53,7 +53,6 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
   const more = root.querySelector(".more");
   const fixes = root.querySelector(".fixes");
   let list = [];
-  const keep = keepRoom(root);
 
   const rows = following(({ shown }) => [shown], ({ shown }) => {
     const judged = judgedOf(calculator, shown?.answer);
@@ -85,7 +84,6 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
       : why && html`<p class="note">${message(`fixes.${why}`)}</p>`;
     fill(fixes, !note && list.length === 0 ? html`` : html`<h3>${message("fixes.title")}</h3>
       ${note}<ul>${list.map((fix) => fixRow(fix, fieldAt, judged)).map(fixMarkup)}</ul>`);
-    keep(!more.open);
   });
 
   root.addEventListener("click", ({ target }) => {

@@ -123,7 +123,7 @@ function tableRows(rows) {
  */
 export function createCompare({ model, calculator, on }) {
   const root = element(html`
-    <section class="card compare" aria-labelledby="compare-title">
+    <section class="compare" aria-labelledby="compare-title">
       <div class="compare-head"><h2 id="compare-title">${message("compare.title")}</h2>
         <button type="button" class="toggle" data-do="export">${message("compare.export")}</button>
         <label class="toggle file">${message("compare.import")}<input type="file" accept="application/json,.json" class="unseen"></label>

@@ -2,7 +2,6 @@
 import { element, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
 import { following } from "../store.js";
-import { keepRoom } from "./parts.js";
 
 /**
  * `queries` are those of the examples' inputs, as in the address; `labels` what may be said of a
@@ -24,7 +23,6 @@ export function createExamples({ examples, queries, labels, on }) {
     </div>`);
   const select = root.querySelector("select");
   const source = root.querySelector(".field-message");
-  const keepSource = keepRoom(source);
   const boxes = [...root.querySelectorAll("[data-label]")];
   select.setAttribute("aria-describedby", "example-source");
   select.addEventListener("change", () => {
@@ -41,7 +39,6 @@ export function createExamples({ examples, queries, labels, on }) {
     const example = examples[queries.indexOf(address)];
     select.value = example?.id ?? "";
     source.textContent = example ? message("examples.source", { source: example.source }) : "";
-    keepSource();
   });
   return {
     root,

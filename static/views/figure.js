@@ -83,6 +83,7 @@ export function createFigure({ figure: about, client, titles, on = ALONE }) {
 
   function reserve(height) {
     canvas.style.height = `${height}px`;
+    canvas.style.setProperty("--own", `${height}px`);
   }
 
   async function post({ input, answer, requests }, theme, signal) {
@@ -94,16 +95,18 @@ export function createFigure({ figure: about, client, titles, on = ALONE }) {
     ahead?.stop.abort();
     ahead = null;
     if (shown || phase !== "computing" || pending !== filled || measure || (tabled && figure.tables) || figure.body.length > 1) return;
+    if (canvas.clientWidth === 0 && !figure.leads) return;
     const stop = new AbortController();
     ahead = { filled: pending, theme, stop, chart: post({ input }, theme, stop.signal) };
     ahead.chart.catch(() => {}); // said where it is drawn
   }
 
   function chartOf(design, theme, signal) {
+    if (design === latest && chart) return chart; // asked for while its tab was not open
     if (!ahead || ahead.filled !== design.filled || ahead.theme !== theme) return post(design, theme, signal);
-    const { chart } = ahead;
+    const { chart: asked } = ahead;
     ahead = null;
-    return chart.catch(() => post(design, theme, signal)); // the service may be back with the answer
+    return asked.catch(() => post(design, theme, signal)); // the service may be back with the answer
   }
 
   /** A click sets the crank angle where the figure follows the drawing, else what the calculator says. */
@@ -130,8 +133,8 @@ export function createFigure({ figure: about, client, titles, on = ALONE }) {
     clearTimeout(again);
     const asked = latest;
     waiting = canvas.clientWidth === 0;
-    if (waiting && !figure.leads) return undefined;
     root.dataset.stale = String(asked.answer !== drawnOf);
+    if (waiting && !figure.leads) return undefined;
     const loading = loadPlotly().catch(() => null);
     const { answer, problem, superseded } = await newest.ask(ask);
     if (superseded) return undefined;
@@ -147,7 +150,7 @@ export function createFigure({ figure: about, client, titles, on = ALONE }) {
       await show(answer.all);
       drawnOf = asked.answer;
     }
-    root.dataset.stale = "false";
+    root.dataset.stale = String(waiting);
     if (problem?.passing && !measure) again = setTimeout(() => latest === asked && (drawing = draw()), Math.max(problem.wait, AGAIN_MS));
     return problem;
   }
@@ -259,7 +262,6 @@ export function createFigure({ figure: about, client, titles, on = ALONE }) {
   return {
     root,
     id: figure.id,
-    side: figure.side,
     measured: Boolean(figure.onDemand),
     picture,
     known: () => latest !== null && !measure,

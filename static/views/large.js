@@ -5,7 +5,6 @@ import { message } from "../messages/index.js";
 /** Show a card with all that it can do; Escape and a button put it back, and the focus where it was. */
 export function enlarge(card) {
   const before = document.activeElement;
-  const folding = card.querySelector(".folding");
   const dialog = element(html`<dialog class="large" aria-label="${card.querySelector("h2").textContent}">
     <form method="dialog"><button class="toggle">${message("keys.close")}</button></form></dialog>`);
   const place = element(html`<div></div>`);
@@ -14,12 +13,10 @@ export function enlarge(card) {
   card.before(place);
   dialog.prepend(card);
   host.append(dialog);
-  if (folding) folding.disabled = true;
   dialog.showModal();
   dialog.querySelector("form button").focus();
   card.dispatchEvent(new Event("resized"));
   dialog.addEventListener("close", () => {
-    if (folding) folding.disabled = false;
     place.replaceWith(card);
     dialog.remove();
     card.dispatchEvent(new Event("resized"));

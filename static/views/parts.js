@@ -12,20 +12,6 @@ export function sign(level) {
   return SIGNS[level] && html`<span class="sign ${level}" aria-hidden="true">${SIGNS[level]}</span>`;
 }
 
-/**
- * A node keeps the height that it has had at the page's width, so that nothing under it moves while
- * one types. Returns what is called once it is filled; with `false` its height of now does not count.
- */
-export function keepRoom(node) {
-  let room = { width: 0, height: 0 };
-  return (counts = true) => {
-    if (room.width !== innerWidth) room = { width: innerWidth, height: 0 };
-    node.style.minHeight = "";
-    if (counts) room.height = Math.max(room.height, node.offsetHeight);
-    if (room.height) node.style.minHeight = `${room.height}px`;
-  };
-}
-
 const BAR = 1.5; // the share of a limit at which a bar is full
 
 /** How much of a limit is used, its mark at the limit; the number stands beside it. */

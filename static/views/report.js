@@ -11,7 +11,7 @@ import { symbolMarkup, tableMarkup } from "./parts.js";
 const PAPER_WIDTH = 660; // of a figure, in the pixels of a print: A4 less its margins
 const PAPER_HEIGHT = 0.54; // of that on the screen, where that leaves its titles room
 const LEAST_HEIGHT = 200;
-const LEFT_OUT = "button, input, select, .motion, .figure-tools, .compare, .say, .cursor, .accuracy-fold, [hidden], script, link";
+const LEFT_OUT = "button, input, select, .strip, .motion, .figure-tools, .compare, .say, .cursor, .accuracy-fold, [hidden], script, link";
 
 /** A value as the form shows it: a number, a list, a name with its title. */
 function valueText(field, value, catalogue) {
@@ -73,14 +73,14 @@ function svgOf(url) {
 
 /**
  * On paper a title block stands over the verdict, and the inputs follow the checks. `shown()` gives the results on the
- * screen (store.js), null where there are none; `light()` draws the figures for paper,
- * `back()` as they were; `failed(problem)` says that no file could be made.
+ * screen (store.js), null where there are none; `light()` draws the figures for paper, `whole()` as they are, also those
+ * behind a tab, `open(whole)` opens all tabs at once, `back()` has the page as it was; `failed(problem)` says that no file could be made.
  */
-export function createReport({ calculator, model, catalogues, version, outputs, figures, worked, shown, light, back, failed }) {
+export function createReport({ calculator, model, catalogues, version, outputs, figures, worked, shown, light, whole: all, open, back, failed }) {
   const head = element(html`<header class="report-head"></header>`);
   const givens = element(html`<div class="report-givens"></div>`);
   outputs.prepend(head);
-  outputs.querySelector(".answer").after(givens);
+  outputs.querySelector(".right").after(givens);
   let folds = []; // opened for paper
   const title = message("report.title", { calculator: message(`calculator.${calculator.id}`) });
   const listening = new AbortController();
@@ -100,10 +100,11 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
       <p class="made link-of">${location.href}</p>`);
     fill(givens, html`<h2>${message("form.inputs")}</h2>
       <div class="givens">${inputsMarkup(listedInputs(model, now.typed), catalogues)}</div>`);
-    const closed = ":is(.checks details.more, .torque details):not([open])";
+    const closed = ":is(.checks details.more, .aside, .torque details):not([open])";
     folds = [...outputs.querySelectorAll(whole ? `details.fold:not([open], .accuracy-fold), ${closed}` : closed)];
     for (const fold of folds) fold.open = true;
     if (whole) worked.unfold();
+    open(whole);
     for (const figure of figures) figure.toPaper(PAPER_WIDTH, (height) => (whole ? height : Math.max(PAPER_HEIGHT * height, Math.min(height, LEAST_HEIGHT))));
   }
 
@@ -115,23 +116,19 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
     for (const figure of figures) figure.fromPaper();
     fill(head, html``);
     fill(givens, html``);
+    back();
   }
 
   addEventListener("beforeprint", () => prepare(), { signal: listening.signal });
-  addEventListener("afterprint", () => {
-    restore();
-    back();
-  }, { signal: listening.signal });
+  addEventListener("afterprint", restore, { signal: listening.signal });
 
   async function file() {
-    const [css] = await Promise.all([styles(), worked.ready()]);
+    const [css] = await Promise.all([styles(), worked.ready(), all()]);
     const pictures = await Promise.all(figures.map(async (figure) =>
       [figure.id, figure.known() ? svgOf(await figure.picture("svg", PAPER_WIDTH)) : null]));
     prepare({ whole: true });
     const copy = outputs.cloneNode(true);
     restore();
-    for (const card of copy.querySelectorAll("[data-folded]")) delete card.dataset.folded;
-    for (const button of copy.querySelectorAll(".folding")) button.replaceWith(...button.childNodes);
     // The pictures join as text: in this document their style attributes would break the policy.
     const places = new Map();
     for (const [id, svg] of pictures) {

@@ -93,8 +93,7 @@ function sectionMarkup(id, section, elsewhere, titles) {
  * API names in warnings.
  */
 export function createResults({ calculator, titles }) {
-  const root = element(html`<details class="card fold all-results"><summary><h2>${message("results.all")}</h2></summary>
-    <div class="results"></div></details>`);
+  const root = element(html`<section class="all-results" aria-label="${message("results.all")}"><div class="results"></div></section>`);
   const host = root.querySelector(".results");
   return {
     root,

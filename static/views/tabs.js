@@ -2,6 +2,20 @@
 import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 
+/** Arrow keys, Home and End open the tabs of a list by their own click. */
+export function arrows(host) {
+  host.addEventListener("keydown", (event) => {
+    const tabs = [...host.querySelectorAll("[role=tab]:not([hidden])")];
+    const here = tabs.indexOf(document.activeElement);
+    const to = { ArrowRight: here + 1, ArrowLeft: here - 1, Home: 0, End: tabs.length - 1 }[event.key];
+    if (here < 0 || to === undefined) return;
+    event.preventDefault();
+    const next = tabs[(to + tabs.length) % tabs.length];
+    next.focus();
+    next.click();
+  });
+}
+
 export function createTabs({ host, panel, ids, on }) {
   const buttons = ids.map((id, i) => element(html`
     <button type="button" role="tab" id="tab-${id}" aria-controls="${panel.id}"
@@ -18,17 +32,7 @@ export function createTabs({ host, panel, ids, on }) {
     const button = event.target.closest("[role=tab]");
     if (button) choose(ids[buttons.indexOf(button)]);
   });
-  host.addEventListener("keydown", (event) => {
-    const here = buttons.indexOf(document.activeElement);
-    const to = {
-      ArrowRight: here + 1, ArrowLeft: here - 1, Home: 0, End: ids.length - 1,
-    }[event.key];
-    if (here < 0 || to === undefined) return;
-    event.preventDefault();
-    const next = (to + ids.length) % ids.length;
-    buttons[next].focus();
-    choose(ids[next]);
-  });
+  arrows(host);
   document.addEventListener("keydown", (event) => {
     const number = /^Digit([1-9])$/.exec(event.code)?.[1];
     if (!event.altKey || event.ctrlKey || event.metaKey || !number || number > ids.length) return;

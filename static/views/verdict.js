@@ -10,7 +10,7 @@ import { element, fill, html } from "../lib/html.js";
 import { shownUnit } from "../lib/units.js";
 import { message } from "../messages/index.js";
 import { answerNow, following, standing, UNANSWERED } from "../store.js";
-import { barMarkup, keepRoom, sign } from "./parts.js";
+import { barMarkup, sign } from "./parts.js";
 
 function cellMarkup({ label, value, unit, note, level }) {
   return html`
@@ -29,7 +29,7 @@ function wordMarkup({ phase, numbers }, judged) {
   const soFar = word === "incomplete" && Boolean(judged.parts); // neither good nor bad
   const level = word ? !soFar && levelOfWord(word) : ["wrong", "refused", ...UNANSWERED].includes(phase) && "bad";
   return html`<p class="word ${level || ""} ${soFar && "so-far"}">${sign(level)}${text}</p>
-    <p class="note">${word ? wordNote(judged) : message(`state.${numbers}Note`)}
+    <p class="note">${word !== "pass" && (word ? wordNote(judged) : message(`state.${numbers}Note`))}
       ${UNANSWERED.includes(phase) && html`<button type="button" class="link again">${message("state.again")}</button>`}</p>`;
 }
 
@@ -97,12 +97,7 @@ export function createVerdict({ calculator, titles, scope: all = [], on }) {
     <section class="verdict card" aria-label="${message("verdict.label")}">
       <div class="judged" tabindex="-1"></div><div class="governing"></div><div class="torque"></div>
       ${all.length > 0 && html`<div class="parts" role="group" aria-label="${message("parts.label")}"></div>`}
-      <nav class="jumps" aria-label="${message("jumps.label")}">${["answer", "inputs", "shown", "rest"].map((id) => html`
-        <button type="button" class="link" data-jump="${id}">${message(`jumps.${id}`)}</button>`)}</nav>
     </section>`);
-  root.querySelector(".jumps").addEventListener("click", ({ target }) => {
-    document.querySelector(`.workbench .${target.dataset.jump}`)?.scrollIntoView();
-  });
   const part = (name) => root.querySelector(`.${name}`);
   let judgedNow = null;
   const scope = () => judgedNow.parts.filter(({ status }) => status !== "left_out").map(({ code }) => code);
@@ -145,12 +140,11 @@ export function createNumbers({ calculator }) {
     <section class="summary card" aria-label="${message("results.label")}">
       <dl class="numbers"></dl>
       <p class="say" data-level=""></p>
-      <p class="aside"></p>
+      <details class="more aside"><summary>${message("checks.rests")}</summary><p></p></details>
     </section>`);
   const numbers = root.querySelector(".numbers");
   const say = root.querySelector(".say");
-  const aside = root.querySelector(".aside");
-  const keepAside = keepRoom(aside);
+  const aside = root.querySelector(".aside p");
   const none = calculator.verdict({});
   return {
     root,
@@ -160,8 +154,8 @@ export function createNumbers({ calculator }) {
       say.dataset.level = level;
       fill(say, html`${sign(level)}<span>${text}</span>`);
       const judged = shown ? judgedOf(calculator, shown.answer) ?? {} : {};
-      aside.textContent = [assumedIn(judged), notConsidered(judged)].filter(Boolean).join(" ");
-      keepAside();
+      const looked = judged.verdict === "pass" && `${wordNote(judged)}.`;
+      aside.textContent = [looked, assumedIn(judged), notConsidered(judged)].filter(Boolean).join(" ");
     }),
   };
 }

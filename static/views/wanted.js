@@ -1,25 +1,25 @@
 /**
- * The places of the groups that are off until wanted, and of those that show by themselves: hidden until then; what is
- * shown there is loaded when one is.
+ * The groups that are off until wanted, and those that show by themselves: a tab each, once they are on; what is shown
+ * there is loaded then, and what is asked for it alone when its tab is open.
  */
 import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { besided, wants } from "../store.js";
-import { foldable } from "./fold.js";
+
+/** What is open while everything is, for a report. */
+export const ALL = "all";
 
 /**
  * The rest are `{ store, inputs, client, titles, figures, calculations }` for the views; a figure of theirs joins `figures`,
  * those of the report. What starts a group that is run stands with its fields, in `inputs`.
  */
-export function createWanted({ calculator, ...parts }) {
-  const root = element(html`<div class="besides"></div>`);
+export function createWanted({ calculator, panels, ...parts }) {
   const all = [...calculator.beside ?? [], ...calculator.wanted ?? []].filter(({ load }) => load);
-  const groups = all.map(({ id, section, load, shows = (state) => wants(state, id) }) => {
-    const place = element(html`<section class="card beside-card" data-wanted="${id}" aria-labelledby="wanted-${id}" hidden>
-      <h2 id="wanted-${id}">${message(section ? `section.${section}` : `${id}.title`)}</h2></section>`);
-    root.append(place);
-    const fold = foldable(place, `wanted-${id}`);
-    return { id, section, load, shows, place, fold, loading: null, asking: null, view: null };
+  const groups = all.map(({ id, section, load, shows = (state) => wants(state, id) }, i) => {
+    const title = message(section ? `section.${section}` : `${id}.title`);
+    const place = element(html`<section class="beside-card" data-wanted="${id}" aria-label="${title}"><h2>${title}</h2></section>`);
+    panels.add(id, message(`tab.${id}`), place, { offered: false, beside: true });
+    return { id, section, load, shows, place, loading: null, asking: null, view: null, on: false, alone: i < (calculator.beside ?? []).length };
   });
   let closed = false;
 
@@ -29,7 +29,8 @@ export function createWanted({ calculator, ...parts }) {
     if (!loaded) group.loading = null; // the next change tries again
     if (!loaded || closed) return;
     const [[logic, { createView }], { createBeside }] = loaded;
-    group.asking = createBeside?.({ ...parts, ...group, logic });
+    const shows = (state) => group.shows(state) && [group.id, ALL].includes(state.tab);
+    group.asking = createBeside?.({ ...parts, ...group, logic, shows });
     group.view = createView({ ...parts, ...group, logic });
     group.place.append(group.view.root);
     if (group.view.controls) parts.inputs.querySelector(`[data-group="${group.id}"] .wanted-fields`).append(group.view.controls);
@@ -39,7 +40,9 @@ export function createWanted({ calculator, ...parts }) {
   function update(state) {
     for (const group of groups) {
       const on = group.shows(state);
-      group.place.hidden = !on;
+      panels.offer(group.id, on);
+      if (on && !group.on && group.alone) panels.open(group.id); // what nobody has asked for says what is wrong
+      group.on = on;
       if (on) group.loading ??= open(group);
       group.asking?.update(state);
       if (on) group.view?.update(state);
@@ -47,7 +50,6 @@ export function createWanted({ calculator, ...parts }) {
   }
 
   return {
-    root,
     update,
     close() {
       closed = true;

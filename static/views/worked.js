@@ -94,10 +94,9 @@ export async function askSteps({ requests }, sections, client, signal) {
 
 export function createWorked({ calculator, client, titles }) {
   const root = element(html`
-    <section class="card worked" aria-label="${message("worked.title")}">
-      <h2>${message("worked.title")}</h2>
+    <details class="card fold worked"><summary><h2>${message("worked.title")}</h2></summary>
       <div class="worked-groups"></div>
-    </section>`);
+    </details>`);
   const host = root.querySelector(".worked-groups");
   const newest = newestOnly();
   let shown = null; // the results on the screen

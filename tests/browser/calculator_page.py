@@ -52,6 +52,21 @@ def opened(page: Page, calculator: str) -> None:
     settled(page)
 
 
+def tab(page: Page, name: str) -> Locator:
+    """A tab under the drawing, by the id of its figure or section."""
+    return page.locator(f'.strip [data-tab="{name}"]')
+
+
+def figures_drawn(page: Page) -> None:
+    """Open the tab of each figure until it is drawn, and the first again."""
+    figures = page.locator(".panel > .figure")
+    names = figures.evaluate_all("all => all.map((one) => one.dataset.figure)")
+    for name in [*names, names[0]]:
+        tab(page, name).click()
+        expect(page.locator(f'[data-figure="{name}"] .main-svg').first).to_be_visible()
+        expect(page.locator(f'[data-figure="{name}"]')).to_have_attribute("data-stale", "false")
+
+
 def box(page: Page, path: str) -> Locator:
     return page.locator(f'[data-path="{path}"] .box')
 

@@ -7,7 +7,7 @@ import pytest
 from axe_playwright_python.base import AXE_SCRIPT
 from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.calculator_page import box, settled, show
+from tests.browser.calculator_page import box, settled, show, tab
 
 CALCULATORS = {
     "crank-planetary": "load.output_torque_Nm",
@@ -191,10 +191,13 @@ def test_axe_finds_nothing_in_what_was_off_until_wanted(
     expect(page.locator(".real")).to_have_attribute("data-stale", "false")
     page.locator('[data-do="run"]').click()
     expect(page.locator(".study .histogram")).to_be_visible()
-    folded = page.locator(".folding[aria-expanded=false]:visible")
-    while folded.count():
-        folded.first.click()
-    expect(page.locator(".part .js-plotly-plot")).to_have_count(4)
+    for one in page.locator(".besides .part").all():
+        name = one.locator("xpath=..").get_attribute("data-wanted") or ""
+        tab(page, name).click()
+        expect(one.locator(".js-plotly-plot")).to_be_visible()
+    page.evaluate(
+        "() => document.querySelectorAll('.panel').forEach((one) => (one.hidden = false))"
+    )
     page.evaluate(OPEN_ALL)
     # all else has been looked at with nothing wanted, in the light and in the dark
     changed = ".answer", ".inputs", "[data-wanted]"

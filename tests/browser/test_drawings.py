@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 import pytest
 from playwright.sync_api import Browser, Page, Route, expect
 
-from tests.browser.calculator_page import ask, box, first_example, settled, show
+from tests.browser.calculator_page import ask, box, first_example, settled, show, tab
 
 FORCES = {
     "mechanism.pins": "6",
@@ -66,6 +66,7 @@ def drawn(page: Page) -> None:
     """Wait until the mechanism stands there with its forces, and the figures under it."""
     expect(page.locator(".drawing svg > .force.arrow:not(.none)").first).to_be_attached()
     for figure in ("cyclogram", "force"):
+        tab(page, figure).click()
         expect(page.locator(f'[data-figure="{figure}"] .cursor')).to_be_attached()
 
 
@@ -215,12 +216,15 @@ def test_the_slider_runs_as_far_as_the_cyclogram(page: Page, service: str) -> No
     longest = 888.24 * newton
     for length, pair in zip(page.evaluate(ARROWS), geometry(service, 801)["pairs"], strict=True):
         assert length == pytest.approx(pair["force_N"] * newton, abs=1e-3 * longest + 0.02)
+    tab(page, "cyclogram").click()
     assert page.evaluate(CURSOR, "cyclogram") is not None
+    tab(page, "force").click()
     assert page.evaluate(CURSOR, "force") is None, "its axis ends at one turn"
 
 
 def test_a_bar_selects_its_pair_everywhere(page: Page, service: str) -> None:
     open_mechanism(page, service)
+    tab(page, "cyclogram").click()
     bar = page.locator('[data-figure="cyclogram"] .barlayer path').first
     bar.evaluate("(path) => path.scrollIntoView({ block: 'center' })")
     at = bar.bounding_box()

@@ -1,90 +1,124 @@
-"""Layout: the answer beside the first figure, folded parts, the height of the page."""
+"""Layout: three columns as high as the screen, tabs, the rail, one part at a time."""
 
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, Locator, Page, Request, expect
 
 from tests.browser.calculator_page import address, opened, settled
 from tests.browser.conftest import WATCH_SCRIPT
-
-SECTIONS = ("real", "study", "strength", "losses", "bearings", "crank")
 
 
 @pytest.fixture
 def newcomer(browser: Browser) -> Iterator[Page]:
     """A page of somebody who has never been here."""
-    context = browser.new_context(viewport={"width": 1366, "height": 768})
+    context = browser.new_context(viewport={"width": 1440, "height": 900})
     context.add_init_script(WATCH_SCRIPT)
     yield context.new_page()
     context.close()
 
 
-def height(page: Page) -> int:
-    return page.evaluate("() => document.documentElement.scrollHeight")
+def scrolls(page: Page) -> bool:
+    """True if there is more of the page than the screen shows."""
+    return page.evaluate(
+        "() => document.documentElement.scrollHeight > innerHeight"
+        " || document.documentElement.scrollWidth > innerWidth"
+    )
 
 
-@pytest.mark.parametrize("size", [(1366, 768), (1440, 900), (1280, 800)])
-def test_the_first_figure_stands_in_the_first_screen(
+def tab(page: Page, name: str) -> Locator:
+    return page.locator(".strip").get_by_role("tab", name=name, exact=True)
+
+
+@pytest.mark.parametrize("size", [(1440, 900), (1280, 720), (1024, 768)])
+def test_the_page_is_as_high_as_the_screen(
     newcomer: Page, service: str, size: tuple[int, int]
 ) -> None:
     width, tall = size
     newcomer.set_viewport_size({"width": width, "height": tall})
     newcomer.goto(service)
     settled(newcomer)
-    expect(newcomer.locator(".drawing svg").first).to_be_visible()
-    drawing = newcomer.locator(".drawing").first.bounding_box()
-    checks = newcomer.locator(".checks").bounding_box()
-    assert drawing and checks
-    assert drawing["y"] + drawing["height"] <= tall
-    assert checks["y"] < tall
-    assert checks["x"] + checks["width"] <= drawing["x"]
-    assert height(newcomer) <= 2500
-    assert newcomer.evaluate("() => document.documentElement.scrollWidth") == width
+    assert not scrolls(newcomer)
     assert newcomer.evaluate("() => watched.shift") < 0.001
+    newcomer.locator("#example").evaluate("one => (one.value = 'cycloid')")
+    newcomer.locator("#example").dispatch_event("change")
+    settled(newcomer)
+    assert not scrolls(newcomer)
+    right = newcomer.locator(".right").bounding_box()
+    centre = newcomer.locator(".shown").bounding_box()
+    folds = newcomer.locator(".rest > details")
+    expect(folds).to_have_count(2)
+    assert centre["x"] + centre["width"] <= right["x"]
+    assert right["y"] + right["height"] <= folds.first.bounding_box()["y"]
+    if width >= 1280:
+        inputs = newcomer.locator(".inputs").bounding_box()
+        assert inputs["x"] + inputs["width"] <= centre["x"]
+    expect(newcomer.locator(".drawing svg").first).to_be_visible()
+    # On a low screen the drawing shares its box with the figures.
+    tab(newcomer, "Forces").click()
+    expect(newcomer.locator('[data-figure="force"] .main-svg').first).to_be_visible()
+    expect(newcomer.locator("#panel-drawing")).to_be_visible(visible=tall >= 800)
+    newcomer.locator(".worked > summary").click()
+    assert scrolls(newcomer)  # the two folds stand below
 
 
-def test_with_every_section_on_the_page_stays_short(newcomer: Page, service: str) -> None:
+def test_a_figure_is_asked_for_when_its_tab_is_open(newcomer: Page, service: str) -> None:
+    charts: list[str] = []
+
+    def take(request: Request) -> None:
+        if request.url.split("?")[0].endswith("/chart"):
+            charts.append(request.url)
+
+    newcomer.on("request", take)
     newcomer.goto(service)
     settled(newcomer)
-    for each in SECTIONS:
-        newcomer.locator(f'[data-path="{each}.on"] input').check()
-    settled(newcomer)
-    for each in SECTIONS:
-        expect(newcomer.locator(f'[data-wanted="{each}"]')).to_be_visible()
-    expect(newcomer.locator('[data-wanted="crank"] .numbers .figures')).to_have_count(2)
-    assert height(newcomer) <= 6000
-
-
-def test_what_is_folded_is_remembered(newcomer: Page, service: str) -> None:
-    newcomer.goto(service)
-    settled(newcomer)
-    heads = newcomer.locator(".folding")
-    states = heads.evaluate_all(
-        "all => all.filter((one) => one.ariaExpanded === 'true').map((one) => one.textContent)"
-    )
-    assert states == ["Mechanism", "Contact forces", "Cyclogram"]
-    pressure = newcomer.locator('[data-figure="hertz"]')
-    assert pressure.bounding_box()["height"] < 50
-    pressure.get_by_role("button", name="Pressure over the contact", exact=True).click()
-    expect(pressure.locator(".main-svg").first).to_be_visible()
-    cyclogram = newcomer.locator('[data-figure="cyclogram"]')
-    cyclogram.locator(".folding").press("Enter")
-    expect(cyclogram.locator(".canvas")).to_be_hidden()
-    newcomer.locator(".all-results > summary").click()
+    assert len(charts) == 1
+    tab(newcomer, "Forces").press("End")
+    expect(tab(newcomer, "Designs side by side")).to_be_focused()
+    assert len(charts) == 1
+    tab(newcomer, "Cyclogram").click()
+    expect(newcomer.locator('[data-figure="cyclogram"] .main-svg').first).to_be_visible()
+    assert len(charts) == 2
     newcomer.reload()
     settled(newcomer)
-    expect(pressure.locator(".main-svg").first).to_be_visible()
-    expect(cyclogram.locator(".canvas")).to_be_hidden()
-    expect(newcomer.locator(".all-results")).to_have_attribute("open", "")
+    expect(tab(newcomer, "Cyclogram")).to_have_attribute("aria-selected", "true")
+    newcomer.locator('[data-path="losses.on"] input').check()
+    expect(tab(newcomer, "Losses")).to_have_attribute("aria-selected", "true")
+    expect(newcomer.locator('[data-wanted="losses"] .figures').first).to_be_visible()
 
 
-def test_the_drawing_has_its_forces_where_their_figure_is_folded(
+def test_below_800_px_one_part_is_in_sight(newcomer: Page, service: str) -> None:
+    newcomer.set_viewport_size({"width": 390, "height": 844})
+    newcomer.goto(service)
+    settled(newcomer)
+    parts = {"Inputs": ".inputs", "Drawing": ".shown", "Checks": ".answer", "More": ".rest"}
+    for name, part in parts.items():
+        newcomer.locator(".places").get_by_role("button", name=name, exact=True).click()
+        for one in parts.values():
+            expect(newcomer.locator(one)).to_be_visible(visible=one == part)
+        expect(newcomer.locator(".verdict .word")).to_be_in_viewport()
+        assert newcomer.evaluate("() => document.documentElement.scrollWidth") == 390
+    newcomer.locator('.parts button[data-ask]:not([data-ask=""])').first.click()
+    expect(newcomer.locator(".inputs")).to_be_visible()
+
+
+def test_between_800_and_1280_px_inputs_fold_to_a_rail(newcomer: Page, service: str) -> None:
+    newcomer.set_viewport_size({"width": 1024, "height": 768})
+    newcomer.goto(service)
+    settled(newcomer)
+    expect(newcomer.locator(".inputs")).to_be_hidden()
+    newcomer.locator(".places").get_by_role("button", name="Inputs").click()
+    expect(newcomer.locator('[data-path="mechanism.pins"] .box')).to_be_visible()
+    newcomer.keyboard.press("Escape")
+    expect(newcomer.locator(".inputs")).to_be_hidden()
+
+
+def test_the_drawing_has_its_forces_where_their_figure_is_not_open(
     newcomer: Page, service: str
 ) -> None:
     newcomer.goto(service)
     settled(newcomer)
-    newcomer.locator('[data-figure="force"] .folding').click()
+    tab(newcomer, "Cyclogram").click()
     newcomer.reload()
     settled(newcomer)
     expect(newcomer.locator(".drawing .force.arrow:not(.none) .head").first).to_be_visible()
@@ -105,7 +139,7 @@ def test_the_other_calculators_fit_too(newcomer: Page, service: str, calculator:
     assert address(newcomer)
     drawing = newcomer.locator(".drawing").first.bounding_box()
     assert drawing and drawing["y"] < 300
-    assert height(newcomer) <= 2500
+    assert not scrolls(newcomer)
 
 
 def test_diameters_are_diameters_everywhere_and_in_the_link(newcomer: Page, service: str) -> None:
@@ -149,7 +183,6 @@ def test_a_figure_has_a_large_view(newcomer: Page, service: str) -> None:
     button.click()
     dialog = newcomer.get_by_role("dialog", name="Contact forces")
     expect(dialog).to_be_visible()
-    expect(dialog.locator(".folding")).to_be_disabled()
     newcomer.wait_for_function(
         "() => document.querySelector('.large .main-svg').getBoundingClientRect().width"
         " > 0.9 * innerWidth"

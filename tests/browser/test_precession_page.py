@@ -19,6 +19,7 @@ from tests.browser.calculator_page import (
     result,
     settled,
     show,
+    tab,
     verdict,
     words_at,
 )
@@ -40,6 +41,7 @@ def test_opens_with_the_papers_example_and_nothing_of_another_calculator(
     assert result(page, "max_line_load_N_per_mm") == pytest.approx(load, rel=1e-3)
     expect(page.locator(".summary .numbers")).to_contain_text("C 379.5")  # |(-171.17, 338.66)|
     for figure in ("contactLines", "lineLoad", "shaft"):
+        tab(page, figure).click()
         line = page.locator(f'[data-figure="{figure}"] .scatterlayer .js-line')
         expect(line.first).to_be_attached()
 
@@ -141,6 +143,7 @@ def test_narrow_screens_and_the_dark(page: Page, service: str) -> None:
     with page.expect_request("**/precession/contact-line/chart?theme=dark"):
         show(page, service, "precession")
     fits_narrow_screens(page, "precession")
+    page.locator('.places [data-place="inputs"]').click()
     boxes = page.locator(".records .box").evaluate_all("all => all.map(one => one.offsetWidth)")
     assert len(boxes) == 4 * 5 and min(boxes) >= 44  # five boxes side by side, still wide
     expect(page.locator(".notes")).to_contain_text("reciprocity")
@@ -149,5 +152,6 @@ def test_narrow_screens_and_the_dark(page: Page, service: str) -> None:
 def test_figures_of_extreme_sizes_need_no_inline_styles(page: Page, service: str) -> None:
     show(page, service, "precession")
     box(page, "overhang_mm").fill("1e9")
+    tab(page, "shaft").click()
     ticks = page.locator('[data-figure="shaft"] .xtick text')
     expect(ticks.filter(has_text="e+").first).to_be_attached()

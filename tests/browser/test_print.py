@@ -8,7 +8,16 @@ from playwright.sync_api import Browser, Page, expect
 from pypdf import PdfReader
 
 from app import VERSION
-from tests.browser.calculator_page import chosen, printed, saved, settled, show, text_of
+from tests.browser.calculator_page import (
+    chosen,
+    figures_drawn,
+    printed,
+    saved,
+    settled,
+    show,
+    tab,
+    text_of,
+)
 
 CALCULATORS = ("crank-planetary", "rollers", "precession")
 A4_POINTS = (595, 842)
@@ -33,11 +42,7 @@ STEPS = {
 def drawn(page: Page, service: str, calculator: str) -> None:
     """Open a calculator and wait for its figures."""
     show(page, service, calculator)
-    figures = page.locator(".figure:not(:has(.measure)) .main-svg:first-of-type")
-    expect(figures.first).to_be_visible()
-    expect(page.locator(".figure:not(:has(.measure)) .plot.js-plotly-plot")).to_have_count(
-        page.locator(".figure:not(:has(.measure))").count()
-    )
+    figures_drawn(page)
 
 
 @pytest.mark.parametrize("calculator", CALCULATORS)
@@ -174,18 +179,16 @@ def test_the_report_of_a_design_with_all_sections_on_is_short_and_whole(
     settled(page)
     for each in SECTIONS:
         expect(page.locator(f'[data-wanted="{each}"] > :not(h2)')).to_be_attached()
+    tab(page, "real").click()
     expect(page.locator('[data-wanted="real"] .figures').first).to_be_visible()
     pdf = printed(page)
     assert 2 <= len(pdf.pages) <= 4
     assert left_edge(pdf) >= MARGIN_POINTS - 1
     text = text_of(pdf)
-    for each in page.locator(
-        ".beside-card:not([data-wanted=study]):visible > h2"
-    ).all_inner_texts():
-        assert each in text, each
+    offered = page.locator(".besides > .panel > .beside-card:not([data-wanted=study])")
+    for each in offered.all():
+        if tab(page, each.get_attribute("data-wanted") or "").is_visible():
+            heading = each.locator("> h2").text_content() or ""
+            assert heading in text, heading
     for words in ("Real peak force", "Backlash, largest", "Safety factor of fatigue"):
         assert words in text.replace("fa tigue", "fatigue"), words
-    before = page.locator(".folding[aria-expanded=true]:visible")
-    while before.count():
-        before.first.click()
-    assert 2 <= len(printed(page).pages) <= 4

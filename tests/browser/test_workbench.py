@@ -25,6 +25,7 @@ from tests.browser.calculator_page import (
     saved,
     settled,
     show,
+    tab,
     verdict,
 )
 from tests.inputs.children import ran
@@ -132,6 +133,7 @@ def test_the_csv_of_a_figure_is_the_services_answer(page: Page, service: str) ->
 
 def test_a_figure_without_a_list_of_numbers_gives_its_curves(page: Page, service: str) -> None:
     show(page, service, "crank-planetary")
+    tab(page, "hertz").click()
     expect(page.locator('[data-figure="hertz"] .js-line').first).to_be_attached()
     path = saved(page, page.get_by_role("button", name="Pressure over the contact: save as CSV"))
     lines = path.read_text("utf-8").splitlines()
@@ -192,10 +194,12 @@ def test_designs_stand_side_by_side_with_their_curves(page: Page, service: str) 
     own = compare.get_by_role("row", name="Output torque").get_by_role("cell").first
     expect(own).to_have_text("1000")  # the table and the figure come after the numbers
     assert named.evaluate("(box) => box.isConnected")  # a name that is being typed stays
+    tab(page, "force").click()
     page.wait_for_function(
         "(top) => document.querySelector('[data-figure=force] .plot').layout?.yaxis.range[1] > top",
         arg=1000 * 6666.67 / 280,
     )
+    tab(page, "compare").click()
     force = compare.get_by_role("row", name="Peak force, ideal N")
     cells = [leading_number(text) for text in force.get_by_role("cell").all_inner_texts()]
     assert cells[0] == pytest.approx(result(page, "peak_force_N"), rel=1e-4)
@@ -213,6 +217,7 @@ def test_designs_stand_side_by_side_with_their_curves(page: Page, service: str) 
     assert top == pytest.approx(cells[1], rel=1e-4) and point == pytest.approx(cells[1], rel=1e-4)
 
     reopen(page)  # kept in the browser
+    tab(page, "compare").click()
     page.get_by_label("Name of design A").fill("first")
     page.get_by_label("Name of design A").press("Enter")
     path = saved(page, page.get_by_role("button", name="Save all to a file"))

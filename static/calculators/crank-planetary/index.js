@@ -290,17 +290,6 @@ export default {
 
   figures: [
     {
-      id: "cyclogram",
-      side: true,
-      follows: ({ data, y }) => (data.type === "bar" ? y : null),
-      section: "cyclogram",
-      path: "/crank-planetary/chart",
-      noted: true,
-      body: figureOf("cyclogram"),
-      height: ({ mechanism: { pins = 3, satellites = 1 } }) => 190 + 22 * Math.min(pins * satellites, MOST_ROWS),
-      tables: phaseTables,
-    },
-    {
       id: "force",
       section: "contact_force",
       path: "/crank-planetary/chart",
@@ -312,9 +301,17 @@ export default {
       tables: forceTables,
     },
     {
+      id: "cyclogram",
+      follows: ({ data, y }) => (data.type === "bar" ? y : null),
+      section: "cyclogram",
+      path: "/crank-planetary/chart",
+      noted: true,
+      body: figureOf("cyclogram"),
+      height: ({ mechanism: { pins = 3, satellites = 1 } }) => 190 + 22 * Math.min(pins * satellites, MOST_ROWS),
+      tables: phaseTables,
+    },
+    {
       id: "hertz",
-      side: true,
-      folded: true,
       section: "hertz",
       path: "/hertz/chart",
       compared: true,

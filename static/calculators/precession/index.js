@@ -178,7 +178,6 @@ export default {
     },
     {
       id: "shaft",
-      folded: true,
       section: "shaft_deflection",
       path: "/precession/shaft-deflection/chart",
       compared: true,
