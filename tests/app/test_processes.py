@@ -27,6 +27,7 @@ from app.registry import CALCULATIONS
 from app.settings import Settings
 from core.errors import ImpossibleMechanism
 from tests.inputs.loop_requests import largest_in_the_loop
+from tests.oracles.seeds import seeds
 from tests.oracles.work import steps
 from tests.running_service import lives
 
@@ -288,9 +289,9 @@ def thirty_ms():
 
 @pytest.mark.parametrize("name", CALCULATIONS)
 def test_the_largest_answer_of_the_event_loop_holds_it_for_less_than_30_ms(name, thirty_ms):
-    """Read, calculated, written and packed, in processor time: 20 variants by a seed."""
+    """Read, calculated, written and packed, in processor time: variants by a seed."""
     calculation, held = CALCULATIONS[name], 0.0
-    for seed in range(20):
+    for seed in seeds(8, 20):
         asked = largest_in_the_loop(calculation, random.Random(seed))
         if asked is None:
             continue
@@ -303,7 +304,8 @@ def test_the_largest_answer_of_the_event_loop_holds_it_for_less_than_30_ms(name,
                     body.cost()
                     gzip.compress(endpoint.content_of(calculation, body, theme), 3)
 
-            held = max(held, min(spent_s(answer), spent_s(answer)))
+            if (once := spent_s(answer)) > held:
+                held = max(held, min(once, spent_s(answer)))
     assert held < min(spent_s(thirty_ms) for _ in range(3))
 
 

@@ -1,12 +1,10 @@
 """Swinging rollers and the precessional gear over REST."""
 
 import math
-import sys
 
 import pytest
 
 from core.precision import EXACT, JUDGED, SAME
-from tests.inputs.children import ran
 from tests.inputs.papers import GEAR, MESH, ROLLERS, SHAFT
 
 pytestmark = pytest.mark.anyio
@@ -127,15 +125,6 @@ async def test_a_gear_that_cannot_work_is_refused_with_its_place(api, change, pl
     response = await api.post("precession/meshing-load", json=MESH | change)
     assert response.status_code == 422
     assert place in response.json()["where"]
-
-
-@pytest.mark.slow
-def test_starting_the_service_loads_nothing_that_a_request_may_not_ask_for():
-    """Nor do the processes for calculations."""
-    heavy = "'mpmath', 'plotly', 'ezdxf', 'fontTools'"
-    code = f"import sys, app.main, app.loaded; print(*(m for m in ({heavy}) if m in sys.modules))"
-    done = ran(sys.executable, "-c", code)
-    assert done.stdout.strip() == ""
 
 
 @pytest.mark.parametrize("path", ["contact-line", "meshing-load", "shaft-deflection"])

@@ -29,7 +29,7 @@ def size_of(name: str, pair: InvolutePair, exact: float) -> float:
     )
 
 
-@pytest.mark.parametrize("seed", seeds(60))
+@pytest.mark.parametrize("seed", seeds(24, 60))
 def test_sizes_are_within_their_stated_errors(seed: int) -> None:
     teeth, eccentricity = drawn(seed)
     pair = involute_pair(teeth=teeth, eccentricity=eccentricity)
@@ -48,7 +48,7 @@ def test_the_root_is_that_which_the_rack_leaves(seed: int) -> None:
         assert getattr(found, name) == pytest.approx(float(exact), rel=EXACT)
 
 
-@pytest.mark.parametrize("seed", seeds(40))
+@pytest.mark.parametrize("seed", seeds(16, 40))
 def test_tips_run_into_each_other_where_the_interference_says_so(seed: int) -> None:
     teeth, eccentricity = drawn(seed)
     pair = involute_pair(teeth=teeth, eccentricity=eccentricity)

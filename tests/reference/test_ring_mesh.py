@@ -94,7 +94,7 @@ def test_the_peak_of_real_parts_is_many_times_the_ideal_one() -> None:
     assert found.peak_force_ratio == pytest.approx(11.7177, rel=1e-4)
 
 
-@pytest.mark.parametrize("seed", seeds(5, 8))
+@pytest.mark.parametrize("seed", seeds(4, 8))
 def test_forces_lag_and_crank_are_within_their_stated_errors(seed: int) -> None:
     mesh, angle, torque = drawn(seed)
     found = mesh_position(mesh=mesh, crank_angle=angle, output_torque=torque)
@@ -128,7 +128,7 @@ def test_given_shares_are_each_disc_by_itself(seed: int) -> None:
     assert found.crank_across == pytest.approx([*map(float, exact.across)], rel=EXACT)
 
 
-@pytest.mark.parametrize("seed", seeds(4))
+@pytest.mark.parametrize("seed", seeds(2, 4))
 def test_virtual_work(seed: int) -> None:
     """The torque is the derivative of the stored energy; what the crank gives is its part of the
     torque, and the derivative of the energy by its angle.

@@ -18,7 +18,7 @@ from core.tolerance.study import Evaluation, Mapped, Study
 from core.tolerance.tolerances import Tolerances
 from tests.inputs.cluster import Cluster
 from tests.inputs.real_mechanisms import STEEL
-from tests.running_service import eventually, running_service
+from tests.running_service import Service, eventually, running_service
 
 pytestmark = pytest.mark.slow
 
@@ -129,7 +129,7 @@ def test_the_service_calculates_studies_there_and_here_when_it_is_lost(cluster: 
     assert alone["quantities"] == found["quantities"]
 
 
-def test_a_sweep_gives_the_same_bits_there() -> None:
+def test_a_sweep_gives_the_same_bits_there(served: Service) -> None:
     axis = {"pointer": "/load/output_torque_Nm", "from": 50.0, "to": 300.0, "steps": 21}
     design = {name: each for name, each in BODY.items() if name not in ("tolerances", "samples")}
     asked = {"calculation": "crank-planetary", "input": design, "axes": [axis]}
@@ -139,8 +139,7 @@ def test_a_sweep_gives_the_same_bits_there() -> None:
             on_cluster = last_line(service.url, asked, path="sweep")["result"]
     finally:
         there.stop()
-    with running_service(processes=2) as service:
-        here = last_line(service.url, asked, path="sweep")["result"]
+    here = last_line(served.url, asked, path="sweep")["result"]
     for each in (on_cluster, here):
         del each["accuracy"]["run_time_us"]
     assert on_cluster == here and len({*here["outputs"]["/checks/governing/utilisation"]}) == 21

@@ -149,7 +149,7 @@ def test_a_full_tmp_kills_no_worker(serve, tiny, monkeypatch, full):
     if full:
         (tiny / "file").write_bytes(b"x" * 49_152)
     monkeypatch.setenv("TMPDIR", str(tiny))
-    with serve(workers=2) as service:
+    with serve(workers=2, processes=1) as service:
         started = family(service.process.pid)
         for path in ("/nothing", "/api/v1/hertz", "/metrics", "/api/v1/health"):
             for _ in range(4):
