@@ -44,6 +44,7 @@ from core.materials import PLASTICS
 from core.proposal.screen import Demand
 from core.proposal.search import Document, Ended, Judged, Pieces, Search
 from core.proposal.shop import SHOPS, ShopName
+from core.tolerance.study import tolerance_study
 
 SECONDS = 10.0
 """Processor time of a search that is answered in lines, s."""
@@ -98,7 +99,9 @@ class MaterialsFields(RequestModel, group="propose"):
 class ProposeRequest(RequestModel, group="propose"):
     """Task of a reducer with cycloid discs, and how it is made."""
 
-    torque_Nm: Size = quantity("Output torque", "T₂", help="Torque of the output.")
+    torque_Nm: float = quantity(
+        "Output torque", "T₂", help="Torque of the output.", ge=1e-3, le=1e6
+    )
     ratio: Whole = quantity(
         "Ratio", "i", help="Speed of the input over that of the output.", ge=5, le=119
     )
@@ -149,8 +152,12 @@ class ProposeRequest(RequestModel, group="propose"):
     min_efficiency: Maybe[float] = quantity(
         "Least efficiency", "η", help="Efficiency of pins and teeth.", ge=0.1, le=0.99
     )
-    max_backlash_arcmin: Maybe[Size] = quantity(
-        "Largest backlash", "j", help="Backlash at the output that nine tenths of the pieces keep."
+    max_backlash_arcmin: Maybe[float] = quantity(
+        "Largest backlash",
+        "j",
+        help="Backlash at the output that nine tenths of the pieces keep.",
+        ge=0.01,
+        le=600,
     )
     wanted: Whole = quantity(
         "Proposals", help="Number of proposals after which the search ends.", default=5, ge=1, le=10
@@ -329,13 +336,13 @@ def _results(document: Document) -> Results:
 
 def pieces_of(document: Document) -> Pieces:
     """Pieces of a document."""
-    values, _ = ToleranceStudyRequest.model_validate(in_json(document) | STUDY).solve()
-    backlash, pressure = (values["quantities"][name] for name in STUDY["quantities"])
-    together = values["fits"] / values["samples"]
-    if not (backlash["percentiles"] and pressure["percentiles"]):
+    asked = ToleranceStudyRequest.model_validate(in_json(document) | STUDY)
+    found = tolerance_study(asked.study(untold), errors=False)
+    together, kept = float(found.fits.mean()), [asked.kept(name, found) for name in asked.names]
+    if not all(kept):
         return Pieces(together)
-    kept, pressed = (each["percentiles"][0]["value"] for each in (backlash, pressure))
-    return Pieces(together, to_si("backlash_arcmin", kept), to_si("pressure_MPa", pressed))
+    backlash, pressure = (each[0]["value"] for each in kept)
+    return Pieces(together, to_si("backlash_arcmin", backlash), to_si("pressure_MPa", pressure))
 
 
 class _Found:

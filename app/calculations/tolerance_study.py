@@ -395,7 +395,7 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
         fits, asked = int(found.fits.sum()), len(self.percentiles)
         if fits == 0:
             return (Notice("no_piece_fits"),)
-        given = min(len(self._percentiles(name, found)) for name in self.names)
+        given = min(len(self.kept(name, found)) for name in self.names)
         return (Notice("too_few_fit", {"fits": fits}),) if given < asked else ()
 
     def seen(self, name: str, value: Any) -> Any:
@@ -406,7 +406,7 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
         """Number of the sample, as the output has it, with its interval."""
         return {end: self.seen(name, getattr(estimate, end)) for end in ("value", "low", "high")}
 
-    def _percentiles(self, name: str, found: ToleranceStudy) -> list[Values]:
+    def kept(self, name: str, found: ToleranceStudy) -> list[Values]:
         """Percentiles that the fitting pieces support."""
         given = []
         for percent in self.percentiles:
@@ -419,7 +419,7 @@ class ToleranceStudyRequest(SolvedFields, group="study"):
         quantity = core_name(name)
         column, factor = found.column(quantity), factor_at_output(name, self.members)
         values: Values = {
-            "percentiles": self._percentiles(name, found),
+            "percentiles": self.kept(name, found),
             "angle_grid_error": found.angle_grid_error[quantity],
         }
         if quantity in found.nominal:

@@ -29,7 +29,13 @@ INLINED = {
 }
 """Functions that are called at each contact, and inlined for speed."""
 
-OPTIONS = {"nogil": True, "error_model": "numpy", "_nrt": False, "no_cfunc_wrapper": True}
+OPTIONS = {
+    "nogil": True,
+    "error_model": "numpy",
+    "_nrt": False,
+    "no_cfunc_wrapper": True,
+    "no_rewrites": True,
+}
 """Options of numba; reference counting is off, as callers hold all arrays."""
 
 MADE = "compiling, once an installation: half a minute or more"
@@ -70,6 +76,8 @@ def _cache_of(say: Say) -> Any:
     """Class of numba's cache that compiles what it cannot read and tolerates failures to write."""
     os.environ.setdefault("NUMBA_CPU_NAME", "generic")
     os.environ.setdefault("NUMBA_OPT", "1")  # higher takes a fifth longer and runs no faster
+    for unused in ("NUMBA_LOOP_VECTORIZE", "NUMBA_LLVM_REFPRUNE_PASS"):
+        os.environ.setdefault(unused, "0")
     from numba.core import caching, config
 
     config.reload_config()  # numba may have been imported before the environment was set

@@ -49,6 +49,16 @@ def about(
     return places[near] + period * turns, heights[near]
 
 
+def neighbours(heights: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Heights before and after each sample of a periodic function, each of shape (n,).
+
+    >>> neighbours(np.array([1.0, 2, 3]))
+    (array([3., 1., 2.]), array([2., 3., 1.]))
+    """
+    at = np.arange(len(heights))
+    return heights[at - 1], heights[at + 1 - len(at)]
+
+
 def first_largest(values: ArrayLike) -> int:
     """Index of the first of the largest values, which are not negative; values that differ by no
     more than two searches of one summit count as equal.
@@ -121,7 +131,7 @@ def second_look(
     >>> second_look(places=places, heights=np.cos(places - 1), known=0.9, narrow=look)
     (1.0, 1.0, 0.0)
     """
-    before, after = np.roll(heights, 1), np.roll(heights, -1)
+    before, after = neighbours(heights)
     tops = np.flatnonzero((heights >= before) & (heights > after))
     # A summit is taken to rise above its sample by no more than the fall to the lower neighbour.
     ceilings = heights + np.maximum(heights - before, heights - after)

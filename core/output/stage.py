@@ -102,7 +102,8 @@ class Solved:
         """Lag of each disc, rad, and shift on its crank, along + i*across, m, shapes (m, K)."""
         drive, first = self.drive, self.drive.gi[:, engine.KIND] == self.drive.gi[0, engine.KIND]
         gi, late = drive.gi[first], drive.gf[first, engine.LATE]
-        moves = np.pad(self.lags, ((0, 0), (0, 1)))  # last column: parts that do not move
+        still = np.zeros((len(self.lags), 1))
+        moves = np.hstack((self.lags, still))  # last column: parts that do not move
         own, along, across, turn = (
             moves[:, gi[:, each]] for each in (engine.OWN, engine.ALONG, engine.ACROSS, engine.TURN)
         )

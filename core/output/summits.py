@@ -8,7 +8,7 @@ from itertools import chain
 import numpy as np
 
 from core.arrays import FloatArray
-from core.numerics.extremes import Narrow, about
+from core.numerics.extremes import Narrow, about, neighbours
 from core.precision import AS_TYPED
 
 ALIKE = 1e-11
@@ -60,7 +60,7 @@ def summits(
     places, heights = grid.places, grid.heights
     count, turn = len(places), grid.period
     scale = float(np.abs(heights).max()) * ALIKE or 1.0
-    before, after = np.roll(heights, 1), np.roll(heights, -1)
+    before, after = neighbours(heights)
     tops = np.flatnonzero((heights >= before) & ((heights > after) | (count == 1)))
     if not len(tops):  # all alike
         return [Summit(float(places[0]), float(heights[0]), 0.0, (float(places[0]),))]
@@ -68,9 +68,10 @@ def summits(
     keys = np.round(np.stack([before, heights, after])[:, tops] / scale).T
     for i, key in zip(tops.tolist(), keys.tolist(), strict=True):
         seen.setdefault(tuple(key), []).append(i)
-    gaps = np.diff(places, append=places[0] + turn)
+    gaps = neighbours(places)[1] - places
+    gaps[-1] += turn
     risen, fallen = heights - before, heights - after
-    slopes = np.roll(gaps, 1) / gaps
+    slopes = neighbours(gaps)[0] / gaps
     ceilings = heights + (np.maximum(risen / slopes, fallen * slopes) if top else 0.0)
     found: list[Summit] = []
     for alike in sorted(seen.values(), key=lambda alike: -ceilings[alike[0]])[:most]:

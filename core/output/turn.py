@@ -113,7 +113,7 @@ class Turn:
             "along": room.by_ring[:, :, 0],
             "across": room.by_ring[:, :, 1],
             "teeth": room.forces[:, teeth],
-            "own": way * np.broadcast_to(own, (len(own), discs)),
+            "own": way * np.repeat(own, discs // own.shape[1], axis=1),
         }
 
     def at_waves(self, places: FloatArray) -> Rows:

@@ -186,13 +186,13 @@ class Screen:
         if len(index[0]) > most:
             drawn = np.random.default_rng(0).choice(len(index[0]), most, replace=False)
             index = [each[drawn] for each in index]
-        self.bearing = index[1].astype(int)
-        self.ring_pin, self.circle, self.eccentricity = teeth[index[0].astype(int)].T
-        self.short = self.eccentricity * (demand.lobes + 1) / self.circle
+        self.teeth, self.bearing = index[0].astype(int), index[1].astype(int)
+        self.ring_pin, self.circle, self.eccentricity = teeth[self.teeth].T
         self._fit_pins(index[3].astype(int))
+        self._cut(teeth)
         self._fit_crank()
         self._fit_width(index[2])
-        self._press_ring()
+        self._press_ring(teeth)
         self._press_holes()
         self._play()
 
@@ -253,10 +253,18 @@ class Screen:
         which = np.searchsorted(sizes[:, 1], room, side="right") - 1 - smaller
         self.failed["wall_bore"] = which < 0
         self.pin, self.touching = sizes[np.maximum(which, 0)].T
-        less = np.linspace(0, 2, 65)
-        bend, _ = path_bends(short=self.short[:, None], lobes=self.demand.lobes, less=less)
-        bend = bend.max(axis=1)
-        self.failed["ring_undercut"] = NEAR_UNDERCUT * self.ring_pin * bend > self.circle
+
+    def _cut(self, teeth: FloatArray) -> None:
+        """Reject teeth that are cut under."""
+        (ring_pin, circle, _), short = teeth.T, self._shortening(teeth)
+        bend, _ = path_bends(short=short, lobes=self.demand.lobes, less=np.linspace(0, 2, 65))
+        under = NEAR_UNDERCUT * ring_pin * bend.max(axis=1) > circle
+        self.failed["ring_undercut"] = under[self.teeth]
+
+    def _shortening(self, teeth: FloatArray) -> FloatArray:
+        """Shortening of teeth, shape (teeth, 1)."""
+        found: FloatArray = teeth[:, 2:] * (self.demand.lobes + 1) / teeth[:, 1:2]
+        return found
 
     def _fit_crank(self) -> None:
         """Set the smallest bearings of the crankshaft that last, between pins and eccentrics and
@@ -330,10 +338,11 @@ class Screen:
         ]
         return 1 / gives, min(limits, default=math.inf)
 
-    def _press_ring(self) -> None:
+    def _press_ring(self, teeth: FloatArray) -> None:
         """Set the reserves of teeth and of the satellites' bearings by the set of pins that
         touch: ``F_i = max(l_i*beta - gap, 0)/c`` with ``sum F_i*l_i = T``.
         """
+        (pin, circle, shift), short = (teeth.T[..., None], self._shortening(teeth))
         lobes, torque = self.demand.lobes, self.demand.disc_torque / self.discs
         shock = self.demand.application_factor
         modulus, limit = self._pair(self.demand.ring_pin)
@@ -343,19 +352,21 @@ class Screen:
         for place in range(POSITIONS):
             ahead = np.arange(1, (lobes + 1) // 2 + 1) - place / POSITIONS
             angles = 2 * np.pi / (lobes + 1) * ahead
-            bend, slope = path_bends(
-                short=self.short[:, None], lobes=lobes, less=1 - np.cos(angles)
+            bend, slope = path_bends(short=short, lobes=lobes, less=1 - np.cos(angles))
+            lever = shift * lobes * np.sin(angles) / slope
+            bend = bend / circle
+            curved = np.maximum(1 / pin + bend / (1 - pin * bend), 0)
+            radial = (short - np.cos(angles)) / slope
+            order = np.argsort(-lever, axis=1)
+            lever, curved, radial = (
+                np.take_along_axis(each, order, axis=1)[self.teeth]
+                for each in (lever, curved, radial)
             )
-            lever = self.eccentricity[:, None] * lobes * np.sin(angles) / slope
             given = touching(lever=lever, gap=gap, asked=torque / stiff)
-            force = given * stiff[:, None]
-            bend = bend / self.circle[:, None]
-            curved = 1 / self.ring_pin[:, None] + bend / (1 - self.ring_pin[:, None] * bend)
-            curved = stiff[:, None] * np.maximum(curved, 0)
-            pressed = np.maximum(pressed, (given * curved).max(axis=1))
+            pressed = np.maximum(pressed, stiff * (given * curved).max(axis=1))
             one = standing_out(lever=lever, gap=gap, asked=torque / stiff, given=given, by=ahead_by)
-            off = np.maximum(off, (one * curved).max(axis=1))
-            along = (force * (self.short[:, None] - np.cos(angles)) / slope).sum(axis=1)
+            off = np.maximum(off, stiff * (one * curved).max(axis=1))
+            along = stiff * (given * radial).sum(axis=1)
             along -= 4 * torque / (math.pi * self.pin_circle)
             load = np.maximum(load, np.hypot(torque / (self.eccentricity * lobes), along))
         most = limit**2 * math.pi * self.width / modulus / shock
@@ -397,7 +408,7 @@ class Screen:
         force = np.zeros(len(self))
         for place in range(POSITIONS):
             lever = np.sin(angles + np.pi / self.pins * place / POSITIONS)
-            lever = radius[:, None] * np.maximum(lever, 0.0)
+            lever = radius[:, None] * np.sort(np.maximum(lever, 0.0))[::-1]
             given = touching(lever=lever, gap=clear, asked=torque * soft)
             force = np.maximum(force, given.max(axis=1) / soft)
         line = modulus / COMPLIANCE * bent * force * abs(away - at)
@@ -434,13 +445,12 @@ def standing_out(
 def touching(*, lever: FloatArray, gap: FloatArray, asked: FloatArray) -> FloatArray:
     """Approaches of pins, m, whose sum with their levers is asked, m^2.
 
-    ``lever`` [designs, pins] in m, ``gap`` [designs] in m of all pins, ``asked`` [designs] torque
-    over stiffness.
+    ``lever`` [designs, pins] in m, the largest first, ``gap`` [designs] in m of all pins, ``asked``
+    [designs] torque over stiffness.
     """
-    ordered = -np.sort(-lever, axis=1)
-    first, second = np.cumsum(ordered, axis=1), np.cumsum(ordered**2, axis=1)
+    first, second = np.cumsum(lever, axis=1), np.cumsum(lever**2, axis=1)
     turn = (asked[:, None] + gap[:, None] * first) / second  # of the first 1, 2, ... pins
-    holds = turn * ordered > gap[:, None]
+    holds = turn * lever > gap[:, None]
     count = np.maximum(holds.sum(axis=1), 1) - 1
     found = turn[np.arange(len(lever)), count]
     pressed: FloatArray = np.maximum(lever * found[:, None] - gap[:, None], 0.0)

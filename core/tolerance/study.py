@@ -82,7 +82,8 @@ class ToleranceStudy:
     cannot_assemble: Estimate  # share of the pieces that do not fit at all positions
     # Relative error of each quantity by the finite number of positions, a bias; largest values are
     # always too low. For the peak force without a ring, the mean over the highest samples, each
-    # summit narrowed; otherwise from the first samples at `FINER` times the positions.
+    # summit narrowed; otherwise from the first samples at `FINER` times the positions. Empty if it
+    # is not asked.
     angle_grid_error: dict[str, float]
 
     def column(self, quantity: str) -> FloatArray:
@@ -385,8 +386,9 @@ class Study:
         return missed
 
 
-def tolerance_study(study: Study) -> ToleranceStudy:
-    """Quantities of many pieces and of the nominal one, with the error of the angle grid.
+def tolerance_study(study: Study, *, errors: bool = True) -> ToleranceStudy:
+    """Quantities of many pieces and of the nominal one, with the error of the angle grid unless
+    ``errors`` is false, for which some pieces are solved at more positions.
 
     Raises ImpossibleMechanism if the piece at the middle of all limits fits and cannot work.
     """
@@ -400,7 +402,7 @@ def tolerance_study(study: Study) -> ToleranceStudy:
         binds=fits == BINDS,
         nominal=nominal,
         cannot_assemble=share(successes=int((fits != FITS).sum()), count=len(fits)),
-        angle_grid_error=study.grid_errors(pieces, values),
+        angle_grid_error=study.grid_errors(pieces, values) if errors else {},
     )
 
 
