@@ -112,13 +112,13 @@ class SensitivityRequest(VariedFields):
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse a request without inputs or a result, or a spread of other inputs."""
+        super().refuse_beyond(settings)
         if not self.pointers:
             raise refusal("/inputs", "missing")
         if self.output is None and self.calculation not in JUDGED:
             raise refusal("/output", "missing")
         if others := {*(self.spread or ())} - {*self.pointers}:
             raise refusal(pointer(("spread", min(others))), "not_there", field="inputs")
-        super().refuse_beyond(settings)
         _ = self.study
 
     @cached_property

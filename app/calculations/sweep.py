@@ -137,8 +137,11 @@ class SweepRequest(VariedFields):
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse a sweep of too many points, of one axis twice, or without results."""
-        if math.prod(each.count for each in self.axes) > settings.max_sweep_points:
-            raise refusal("/axes", "service_limit", limit=settings.max_sweep_points)
+        *others, last = self.axes
+        most = settings.max_sweep_points // math.prod(each.count for each in others)
+        if last.count > most:
+            counted = "steps" if last.number else "values"
+            raise refusal(f"/axes/{len(others)}/{counted}", "service_limit", limit=most)
         if len({each.pointer for each in self.axes}) < len(self.axes):
             raise refusal("/axes/1/pointer", "only_one", field="/axes/0/pointer")
         if not self.read:

@@ -36,7 +36,9 @@ OPTIONS = {
     "no_cfunc_wrapper": True,
     "no_rewrites": True,
 }
-"""Options of numba; reference counting is off, as callers hold all arrays."""
+"""Options of numba; reference counting is off, as callers hold all arrays, and so are rewrites of
+array expressions, as the engine has none.
+"""
 
 MADE = "compiling, once an installation: half a minute or more"
 
@@ -76,8 +78,8 @@ def _cache_of(say: Say) -> Any:
     """Class of numba's cache that compiles what it cannot read and tolerates failures to write."""
     os.environ.setdefault("NUMBA_CPU_NAME", "generic")
     os.environ.setdefault("NUMBA_OPT", "1")  # higher takes a fifth longer and runs no faster
-    for unused in ("NUMBA_LOOP_VECTORIZE", "NUMBA_LLVM_REFPRUNE_PASS"):
-        os.environ.setdefault(unused, "0")
+    for unneeded in ("NUMBA_LOOP_VECTORIZE", "NUMBA_LLVM_REFPRUNE_PASS"):  # loops are short
+        os.environ.setdefault(unneeded, "0")
     from numba.core import caching, config
 
     config.reload_config()  # numba may have been imported before the environment was set

@@ -205,8 +205,8 @@ async def test_the_operator_limits_the_number_of_points() -> None:
     async with httpx.AsyncClient(transport=transport, base_url="http://service/api/v1/") as client:
         pair = of_hertz(RADIUS, {"pointer": "/force_N", "values": [1.0, 2.0]})
         (error,) = (await client.post("sweep", json=pair)).json()["errors"]
-        assert (error["pointer"], error["code"]) == ("/axes", "service_limit")
-        assert error["params"] == {"limit": 15}
+        assert (error["pointer"], error["code"]) == ("/axes/1/values", "service_limit")
+        assert error["params"] == {"limit": 1}
         assert (await client.post("sweep", json=of_hertz(RADIUS))).status_code == 200
 
 

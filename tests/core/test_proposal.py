@@ -109,6 +109,7 @@ def test_pins_that_touch_carry_the_torque() -> None:
         draw.uniform(0, 5e-5, 40),
         10 ** draw.uniform(-9, -5, 40),
     )
+    lever = -np.sort(-lever, axis=1)
     found = touching(lever=lever, gap=gap, asked=asked)
     for arms, play, sum_asked, approaches in zip(lever, gap, asked, found, strict=True):
         low, high = 0.0, 1.0
@@ -123,7 +124,8 @@ def test_a_pin_that_stands_out_bears_more() -> None:
     """A bisection with one pin ahead finds at most what is estimated, and mostly as much."""
     draw = np.random.default_rng(6)
     lever, gap = draw.uniform(1e-3, 0.03, (40, 9)), draw.uniform(0, 5e-5, 40)
-    asked, by = 10 ** draw.uniform(-8, -5, 40), 1e-5
+    lever, by = -np.sort(-lever, axis=1), 1e-5
+    asked = 10 ** draw.uniform(-8, -5, 40)
     given = touching(lever=lever, gap=gap, asked=asked)
     found = standing_out(lever=lever, gap=gap, asked=asked, given=given, by=by)
     shares = []
