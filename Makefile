@@ -87,7 +87,8 @@ accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accurac
 	PYTHONPATH=. $(BIN)/python -m benchmarks.fit
 	PYTHONPATH=. $(BIN)/python -m benchmarks.turns
 	TIMES_AS_MANY_CASES=12 $(BIN)/pytest --quiet --numprocesses auto --dist worksteal \
-		--hypothesis-profile=many tests/reference tests/core
+		--hypothesis-profile=many tests/reference tests/core tests/app/test_fixes_reposted.py \
+		tests/app/test_openapi_conformance.py tests/app/test_processes.py tests/app/test_propose_api.py
 
 catalogue: .venv/test  ## judge reducers of catalogues and papers; writes docs/catalogue.md
 	PYTHONPATH=. $(BIN)/python -m benchmarks.catalogue

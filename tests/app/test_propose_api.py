@@ -231,7 +231,7 @@ def drawn(seed: int) -> dict[str, Any]:
     return asked | {name: each for name, each in others.items() if draw.random() < 0.3}
 
 
-@pytest.mark.parametrize("seed", seeds(2, 3))
+@pytest.mark.parametrize("seed", seeds(1, 3))
 async def test_any_task_has_an_answer_within_what_is_asked(api: Any, seed: int) -> None:
     asked = drawn(seed)
     answer = await api.answer(PATH, asked)
