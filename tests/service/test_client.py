@@ -13,7 +13,6 @@ import pytest
 from khv_calc import Client, Fault, Refused, is_called
 
 from app.examples import EXAMPLES, REQUESTS
-from app.registry import EXPORTS
 from app.settings import Settings
 from core.precision import CONVERGED, SAME
 
@@ -35,9 +34,9 @@ def test_an_answer_is_that_of_the_api(service, calc):
     assert sent["peak_force_N"] == answer["peak_force_N"]
 
 
-@pytest.mark.parametrize("name", [each for each in REQUESTS if each not in EXPORTS])
-def test_every_calculation_can_be_asked(calc, name):
-    assert calc.ask(name, REQUESTS[name])
+def test_a_calculation_of_a_longer_name_can_be_asked(calc):
+    """Each example is asked in tests/app/test_service.py."""
+    assert calc.ask("precession/contact-line", REQUESTS["precession/contact-line"])
 
 
 def test_what_is_found_comes_at_once(calc):
