@@ -4,11 +4,12 @@
  * transition.
  */
 import { createAsking } from "./asking.js";
-import { wordIn } from "./lib/checks.js";
+import { partRow, wordIn } from "./lib/checks.js";
 import { MOST } from "./lib/designs.js";
 import { element, html } from "./lib/html.js";
 import { shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/form_state.js";
 import { entryOf, optionsOf } from "./lib/schema_form.js";
+import { lasting } from "./lib/storage.js";
 import { LABELS, query, withVerdict } from "./lib/url_state.js";
 import { message, quantityTitle, symbolOf } from "./messages/index.js";
 import { neglectedIn, problemText } from "./service_texts.js";
@@ -23,9 +24,11 @@ import { createForm } from "./views/form.js";
 import { createNotice } from "./views/notice.js";
 import { createPanels } from "./views/panels.js";
 import { createPlaces } from "./views/places.js";
+import { createSearch } from "./views/search.js";
 import { currentTheme } from "./views/settings.js";
 import { createNumbers, createVerdict } from "./views/verdict.js";
 
+const UNFOLDED = "outline"; // that all sections of the inputs are open
 const AGAIN_MS = 4000; // until the rest of the page is asked for again
 
 let makeRest = null; // what makes the rest of a calculator's page (rest.js), once loaded
@@ -108,6 +111,7 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     calculator,
     catalogues,
     lengths,
+    unfolded: lasting.getItem(UNFOLDED) === "all",
     on: {
       lengths: on.lengths,
       typed: (path, text) => change(next.typedIn, path, text),
@@ -120,7 +124,9 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       chosen: (choice, option) => change(next.chose, choice, option),
       switched(group, on) {
         changeAtOnce(next.switched, group, on);
-        if (on) panels.open(group);
+        if (!on) return;
+        form.open(group);
+        panels.open(group);
       },
       asked: (path) => lead(path),
       apply() {
@@ -158,6 +164,12 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       shown(code) {
         places.show("answer");
         checks.show(code);
+      },
+      /** The first check that waits for a value, else the first part that does. */
+      unknown({ parts = [] }) {
+        places.show("answer");
+        const ask = checks.show() ? null : parts.map(partRow).find((part) => part.ask)?.ask;
+        if (ask) lead(entryOf(model, ask));
       },
       scoped: (parts) => apply({ "/requirements/scope": parts }),
     },
@@ -205,18 +217,31 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
   });
   const figures = calculator.figures.filter(({ measures }) => !measures)
     .map((figure) => figureOf({ ...figure, leads: figure.id === calculator.drawing.figure }));
-  const panels = createPanels({ id: calculator.id, drawing, on: { opened: (tab) => store.apply(next.tabbed, tab) } });
+  const panels = createPanels({ id: calculator.id, drawing, tall: calculator.drawing.tall, on: { opened: (tab) => store.apply(next.tabbed, tab) } });
   for (const { id, root } of figures) panels.add(id, message(`tab.${id}`), root);
   const explanation = createExplanation({ calculator, materialOf });
   const notice = createNotice({ calculator, on: { closed: () => store.apply(next.unclaimed) } });
   const inputs = element(html`<div class="inputs"></div>`);
   inputs.append(notice.root, picker.root);
   const closeProposals = calculator.propose && addProposals();
-  inputs.append(form.root);
+  const search = createSearch({
+    model,
+    all: lasting.getItem(UNFOLDED) === "all",
+    signal: listening.signal,
+    on: {
+      found: (path) => form.focus(path),
+      here: () => places.show("inputs"),
+      all(shown) {
+        lasting.setItem(UNFOLDED, shown ? "all" : "one");
+        form.unfold(shown);
+      },
+    },
+  });
+  inputs.append(search.root, form.root);
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
   const right = element(html`<div class="right"><div class="answer"></div></div>`);
   right.prepend(verdict.root);
-  right.lastElementChild.append(...[numbers, checks, explanation].map(({ root }) => root));
+  right.lastElementChild.append(...[numbers, explanation, checks].map(({ root }) => root));
   outputs.append(right, panels.root);
   const places = createPlaces({ host, signal: listening.signal });
   host.replaceChildren(places.root, inputs, outputs);

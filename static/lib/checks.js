@@ -57,11 +57,16 @@ export function wordIn(calculator, answer) {
   return judged ? wordOf(judged) : undefined;
 }
 
-/** The word as it is shown: of what is not known of all parts, whether anything is against it. */
+/** The word as it is shown: of what is not known of all parts, of how many it is. */
 export function wordText(judged) {
   const word = wordOf(judged);
-  return message(word === "incomplete" && judged.parts ? "verdictWord.soFar" : `verdictWord.${word}`);
+  const within = (judged.parts ?? []).filter(({ status }) => !["left_out", "not_asked"].includes(status));
+  if (word !== "incomplete" || within.length === 0) return message(`verdictWord.${word}`);
+  return message("verdictWord.soFar", { judged: within.filter(({ status }) => JUDGED.includes(status)).length, all: within.length });
 }
+
+/** How many things are not known: parts, or checks where it has no parts. */
+export const unknownIn = ({ parts, counts }) => (parts ? parts.filter(({ status }) => status === "open").length : counts.not_checked);
 
 const MARKS = { pass: "✓", marginal: "!", fail: "✗", open: "?", left_out: "–", not_asked: "·" };
 
@@ -106,7 +111,7 @@ export function checkRow(check, titles) {
     code,
     status,
     needed,
-    level: needed || status !== "not_checked" ? LEVELS[status] : undefined,
+    level: levelOfCheck(check),
     title: titleOf(check),
     why: said("checks", code)?.why ?? check.why ?? "",
     value: none ? message("checks.none") : amount(value, unit),
@@ -162,7 +167,7 @@ export function fixRow(fix, fieldAt, { checks = [], parts }) {
     text: steps.length > 1 ? message("fixes.together", { changes }) : changes,
     standard: standard ?? "",
     level: verdict === "incomplete" && parts ? "" : LEVELS[verdict],
-    then: verdict && enough ? wordText({ verdict, parts }) : "",
+    then: verdict && enough ? wordText({ verdict }) : "",
     effects: !enough ? [] : effects.filter(({ status_from: was, status_to: is }) => was !== is || is !== "pass").map((effect) => ({
       level: LEVELS[effect.status_to],
       text: effectText(named(effect.code), effect),
@@ -196,6 +201,9 @@ export function groupsOf({ checks = [] }) {
   return [...groups].map((group) => said("check_groups", group) ?? group).join(", ").toLowerCase();
 }
 
+/** How a check stands: good, warning, bad; nothing where it is not judged, and need not be. */
+export const levelOfCheck = ({ status, needed = true }) => (needed || status !== "not_checked" ? LEVELS[status] : undefined);
+
 /** What is not looked at, in words. */
 export function notConsidered({ not_considered: all = [], parts = [] }) {
   const codes = all.filter((code) => !parts.some((part) => part.code === code)); // which say it themselves
@@ -222,17 +230,13 @@ export function assumedIn({ assumed = [] }) {
 /** Why a verdict's word is what it is, in words. */
 export function wordNote(judged) {
   const word = wordOf(judged);
-  if (word === "incomplete" && judged.parts) {
-    const within = judged.parts.filter(({ status }) => !["left_out", "not_asked"].includes(status));
-    return message("verdictWord.soFarNote", { judged: within.filter(({ status }) => JUDGED.includes(status)).length, all: within.length });
-  }
-  if (word === "incomplete" && !judged.counts.not_checked) return message("verdictWord.nothingNote");
+  if (word === "incomplete") return unknownIn(judged) > 0 ? "" : message("verdictWord.nothingNote");
   const check = word === "marginal" && decisive(judged);
   // The first of the marginal checks does not hang on the torque where none of them does: what they doubt is nothing of strength.
   if (check && !byTorque(check)) {
     return message("verdictWord.marginalByNote", { check: titleOf(check), groups: groupsOf(judged) });
   }
-  return message(`verdictWord.${word}Note`, { groups: groupsOf(judged), count: judged.counts?.not_checked });
+  return message(`verdictWord.${word}Note`, { groups: groupsOf(judged) });
 }
 
 /** Of plastic: above which torque it yields at once, in a sentence, and by what; nothing where that is not known. */
@@ -240,6 +244,8 @@ export function coldYield({ cold_yield: cold }) {
   if (!cold) return null;
   const { torque_Nm: torque, quarter_Nm: quarter, strength_MPa: strength, friction, open } = cold;
   return {
+    torque,
+    short: message("checks.coldShort", { quarter: formatQuantity(quarter, "N·m", 2) }),
     sentence: message("checks.coldYield", { torque: formatQuantity(torque, "N·m", 3), quarter: formatQuantity(quarter, "N·m", 2) }),
     by: message("checks.coldBy", {
       strength: formatQuantity(strength, "MPa", 3), friction: formatNumber(friction, 3),

@@ -1,11 +1,13 @@
-/** All checks, the one that governs first: how much of its limit each uses, from where the limit is, what mends it. */
-import { checkRow, fixRow, isMended, judgedOf, percent } from "../lib/checks.js";
+/**
+ * All checks, a line each by what they are about: sign, name, how much of the limit is used, value and limit. Opened it
+ * says why, by what formula, from where the limit is, and what mends it; those that hold are folded.
+ */
+import { checkRow, decisive, fixRow, isMended, judgedOf, percent } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
-import { message } from "../messages/index.js";
+import { message, said } from "../messages/index.js";
 import { following, stale } from "../store.js";
 import { barMarkup, sign, symbolMarkup } from "./parts.js";
 
-const AT_ONCE = 6; // rows in sight; the rest is folded
 const FIXES = 4;
 
 function detailsMarkup({ why, formula, source, place, reason }) {
@@ -17,21 +19,27 @@ function missingMarkup(missing, fieldAt) {
     <button type="button" class="link" data-ask="${path}">${fieldAt(path)?.title ?? path}</button>`)}</span>`;
 }
 
+/** A value whose unit gives way to that of the limit beside it. */
+function amountMarkup(value) {
+  const [amount, unit] = value.split(/\u00a0(?=[^\u00a0]*$)/);
+  return html`${amount}${unit && html`<span class="check-unit">\u00a0${unit}</span>`}`;
+}
+
 function rowMarkup(row, fieldAt) {
   const { code, level, status, title, value, limit, used, source, reason, missing, judged } = row;
   return html`
     <li class="check ${level ?? ""}" data-code="${code}" data-status="${status}">
       <details><summary>
-        <span class="check-title">${sign(level)}${title}<span class="unseen">: ${message(`status.${status}`)}</span></span>
-        <span class="check-used">${used !== undefined && judged ? html`${barMarkup(used, level)}<span>${percent(used)}</span>`
-          : html`<span class="note">${message(`status.${status}`)}</span>`}</span>
-        <span class="check-value">${value}${value && limit && " "}<span class="check-limit">${limit}</span></span>
+        <span class="check-title" title="${title}">${sign(level)}${title}<span class="unseen">: ${message(`status.${status}`)}</span></span>
+        <span class="check-used">${used !== undefined && judged ? html`${barMarkup(used, level)}<span class="check-share">${percent(used)}</span>`
+          : html`<span class="note">${value ? "" : message(`status.${status}`)}</span>`}</span>
+        <span class="check-value">${amountMarkup(value)}${value && limit && " "}<span class="check-limit">${limit}</span></span>
         <span class="check-source">${judged ? source : reason}</span>
-      </summary>${detailsMarkup(row)}</details>${missingMarkup(missing, fieldAt)}
+      </summary><div class="fixes" hidden></div>${detailsMarkup(row)}</details>${missingMarkup(missing, fieldAt)}
     </li>`;
 }
 
-function fixMarkup({ applies, text, standard, then, level, effects }, i) {
+function fixMarkup([{ applies, text, standard, then, level, effects }, i]) {
   return html`<li>${applies
     ? html`<button type="button" class="fix" data-fix="${i}">${text}${standard && ` (${standard})`}</button>`
     : html`<span class="note">${text}</span>`}
@@ -47,61 +55,84 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
   const root = element(html`
     <section class="card checks" aria-labelledby="checks-title"><h2 id="checks-title">${message("checks.title")}</h2>
       <p class="note waiting">${message("checks.waiting")}</p>
-      <ul class="rows"></ul><div class="fixes"></div>
-      <details class="more" hidden><summary></summary><ul class="rows"></ul></details></section>`);
-  const [first, rest] = root.querySelectorAll(".rows");
-  const more = root.querySelector(".more");
-  const fixes = root.querySelector(".fixes");
+      <ul class="rows"></ul>
+      ${["holding", "apart"].map((name) => html`<details class="more ${name}" hidden><summary></summary><div></div></details>`)}</section>`);
+  const first = root.querySelector(".rows");
+  const folds = root.querySelectorAll(".more");
   let list = [];
+  let governing = null; // the code of the check that decides
+  const opened = new Set(); // codes of the rows that the user has opened
+
+  /** Rows by what they are about. */
+  const grouped = (rows) => html`${[...new Set(rows.map(({ group }) => group))].map((group) => html`
+    <h3>${said("check_groups", group) ?? group}</h3><ul class="rows">${rows.filter((row) => row.group === group).map((row) => rowMarkup(row, fieldAt))}</ul>`)}`;
+
+  function fold(details, key, rows) {
+    details.hidden = rows.length === 0;
+    details.querySelector("summary").textContent = message(key, { count: rows.length });
+    fill(details.lastElementChild, grouped(rows));
+  }
 
   const rows = following(({ shown }) => [shown], ({ shown }) => {
     const judged = judgedOf(calculator, shown?.answer);
     root.style.visibility = shown && !judged?.checks ? "hidden" : "";
     root.querySelector(".waiting").hidden = Boolean(judged?.checks);
     if (!judged?.checks) return;
-    const all = judged.checks.map((check) => checkRow(check, titles))
+    governing = decisive(judged)?.code ?? judged.governing;
+    const all = judged.checks.map((check) => ({ ...checkRow(check, titles), group: check.group }))
       .map((row) => ({ ...row, missing: [...new Set(row.missing.map(askedAt))] }));
-    // No more stand in sight however many are asked for, so that what is under them keeps its place.
-    const inSight = all.filter(({ judged: known, status, needed }) => known || (status === "not_checked" && needed)).slice(0, AT_ONCE);
-    fill(first, html`${inSight.map((row) => rowMarkup(row, fieldAt))}`);
-    const others = all.filter((row) => !inSight.includes(row));
-    more.hidden = others.length === 0;
-    more.querySelector("summary").textContent = message("checks.more", { count: others.length });
-    fill(rest, html`${others.map((row) => rowMarkup(row, fieldAt))}`);
+    const holds = ({ code, status }) => status === "pass" && code !== governing;
+    const open = all.filter((row) => !holds(row) && (row.judged || (row.status === "not_checked" && row.needed)));
+    fill(first, html`${open.map((row) => rowMarkup(row, fieldAt))}`);
+    fold(folds[0], "checks.hold", all.filter(holds));
+    fold(folds[1], "checks.more", all.filter((row) => !holds(row) && !open.includes(row)));
+    const mended = isMended(calculator, shown.answer);
+    for (const row of root.querySelectorAll(".check")) {
+      row.querySelector("details").open = opened.has(row.dataset.code) || (mended && row.dataset.code === governing);
+    }
   });
 
-  /** What mends the design, or that it is looked for. */
+  /** What mends the design at the check that it mends, of several inputs together at the one that governs; or that it is looked for. */
   const mending = following((state) => [state.shown, state.fixes, stale(state)], (state) => {
     const { shown, fixes: found } = state;
     const judged = judgedOf(calculator, shown?.answer);
     if (!judged?.checks) return;
     const [open, known] = [isMended(calculator, shown.answer), found?.of.answer === shown.answer];
-    fixes.dataset.open = String(open);
-    list = known ? found.list.slice(0, FIXES) : [];
+    list = known ? found.list : [];
     const seeks = open && !known && !stale(state);
     const why = open && known && list.length === 0 && { true: "long", false: "none" }[found.long];
     const note = seeks ? html`<p class="note">${message("fixes.seeking")}</p><progress class="seeking" aria-hidden="true"></progress>`
       : why && html`<p class="note">${message(`fixes.${why}`)}</p>`;
-    fill(fixes, !note && list.length === 0 ? html`` : html`<h3>${message("fixes.title")}</h3>
-      ${note}<ul>${list.map((fix) => fixRow(fix, fieldAt, judged)).map(fixMarkup)}</ul>`);
+    for (const row of root.querySelectorAll(".check")) {
+      const { code } = row.dataset;
+      const own = list.map((fix, i) => [fix, i]).filter(([fix]) => fix.code === code || (code === governing && (fix.code === undefined || fix.steps))).slice(0, FIXES);
+      const place = row.querySelector(".fixes");
+      const says = open && code === governing && note;
+      place.hidden = !(open && code === governing) && own.length === 0;
+      fill(place, html`${!place.hidden && html`<h3>${message("fixes.title")}</h3>`}${says}
+        <ul>${own.map(([fix, i]) => fixMarkup([fixRow(fix, fieldAt, judged), i]))}</ul>`);
+    }
   });
 
   root.addEventListener("click", ({ target }) => {
     const { fix, ask } = target.closest("[data-fix], [data-ask]")?.dataset ?? {};
     if (fix) on.fixed(list[fix].sets);
     if (ask) on.asked(ask);
+    const row = target.closest("summary")?.closest(".check");
+    if (row) opened[row.querySelector("details").open ? "delete" : "add"](row.dataset.code); // it turns after the click
   });
 
   return {
     root,
-    /** Leads to a check. */
-    show(code) {
+    /** Leads to a check; of none that is named to the first that is not known. */
+    show(code = root.querySelector('.check[data-status="not_checked"]')?.dataset.code) {
       const row = root.querySelector(`[data-code="${code}"]`);
-      if (!row) return;
-      if (more.contains(row)) more.open = true;
+      if (!row) return false;
+      row.closest(".more")?.setAttribute("open", "");
       row.querySelector("details").open = true;
       row.querySelector("summary").focus();
       row.scrollIntoView({ block: "center" });
+      return true;
     },
     update(state) {
       rows(state);

@@ -16,11 +16,13 @@ const STILL = matchMedia("(prefers-reduced-motion: reduce)");
 
 /** `on.turned(angle)`, `on.returned()` to where it starts, and `on.selected(pair)`: a name, or null for all. */
 export function createDrawingView({ calculator, on }) {
-  const { create, moving, start: startOf } = calculator.drawing;
+  const { create, moving, start: startOf, views = [], least = 200 } = calculator.drawing;
   const title = message(`drawing.${calculator.id}`);
   const root = element(html`
     <section class="card mechanism" data-drawing="${calculator.id}" aria-labelledby="drawing-${calculator.id}">
-      <div class="head"><h2 id="drawing-${calculator.id}">${title}</h2><span class="figure-tools">
+      <div class="head"><h2 id="drawing-${calculator.id}">${title}</h2>
+        ${views.length > 0 && html`<span class="views" role="group" aria-label="${message("drawing.views")}">${["whole", ...views.map(({ id }) => id)].map((id, i) => html`
+          <button type="button" class="toggle" data-view="${id}" aria-pressed="${String(i === 0)}">${message(`drawing.view.${id}`)}</button>`)}</span>`}<span class="figure-tools">
         ${["PNG", "SVG"].map((kind) => html`<button type="button" class="toggle save" data-kind="${kind}"
           aria-label="${message("figure.save", { title, kind })}">${kind}</button>`)}${enlargeButton(title)}</span></div>
       ${moving && html`<div class="motion">
@@ -40,6 +42,7 @@ export function createDrawingView({ calculator, on }) {
   const shownAngle = root.querySelector("output");
   const play = root.querySelector(".play");
   const choice = root.querySelector("select");
+  let view = { id: "whole", create }; // that is chosen
   let latest = null; // { input, answer, curves } to be drawn
   let drawing = null;
   let moves = null; // the drawing on the page, where it moves
@@ -85,9 +88,9 @@ export function createDrawingView({ calculator, on }) {
 
   /** Put the latest answer on the screen, as large as its place is; printing only scales it. */
   function draw() {
-    if (!PAPER.matches) size = { width: place.clientWidth, height: place.clientHeight };
+    if (!PAPER.matches) size = { width: place.clientWidth, height: Math.max(place.clientHeight, least) };
     if (!latest || size.width === 0) return;
-    drawing = create({ ...latest, ...size });
+    drawing = view.create({ ...latest, ...size });
     fill(place, drawing?.markup ?? html``);
     // Controls wait for a drawing: there is nothing to move or to save.
     for (const control of controls) control.disabled = drawing === null;
@@ -100,7 +103,9 @@ export function createDrawingView({ calculator, on }) {
     fill(choice, html`<option value="">${message("drawing.all")}</option>${pairs.map((name) => html`<option value="${name}">${pairNames(name)}</option>`)}`);
     slider.max = String(end());
     showPlaying();
-    moves = drawing?.attach(place) ?? null;
+    moves = drawing?.attach?.(place) ?? null;
+    root.querySelector(".motion").classList.toggle("still", Boolean(drawing) && !moves);
+    if (!moves) return;
     if (turn.pair !== null && !pairs.includes(turn.pair)) on.selected(null);
     else if (turn.angle > end()) on.turned(end());
     showTurn();
@@ -113,10 +118,30 @@ export function createDrawingView({ calculator, on }) {
     for (const part of place.querySelectorAll(`[data-field~="${CSS.escape(path)}"]`)) part.classList.add("lit");
   }
 
+  /** Another view of the same design. */
+  async function look(id) {
+    const next = views.find((one) => one.id === id) ?? { id, create };
+    next.create ??= await next.load();
+    view = next;
+    for (const button of root.querySelectorAll("[data-view]")) button.setAttribute("aria-pressed", String(button.dataset.view === id));
+    draw();
+  }
+  root.querySelector(".views")?.addEventListener("click", ({ target }) => target.dataset.view && look(target.dataset.view));
+
+  /** Views of what is known of the design alone. */
+  function offer() {
+    for (const { id, shows = () => true } of views) {
+      const offered = shows(latest.input);
+      root.querySelector(`[data-view="${id}"]`).hidden = !offered;
+      if (!offered && view.id === id) look("whole");
+    }
+  }
+
   for (const control of controls) control.disabled = true;
   if (moving) fill(choice, html`<option value="">${message("drawing.all")}</option>`);
   const sizes = new ResizeObserver(() => {
-    if (place.clientWidth !== size.width && !PAPER.matches) draw();
+    const other = place.clientWidth !== size.width || (place.clientHeight !== size.height && place.clientHeight > least);
+    if (other && !PAPER.matches) draw();
   });
   sizes.observe(place);
 
@@ -150,6 +175,7 @@ export function createDrawingView({ calculator, on }) {
     root.dataset.stale = String(!next && latest !== null); // until the curves of the answer are there
     if (!next) return;
     latest = next;
+    offer();
     draw();
   });
   const follow = following((state) => [state.turn], (state) => {

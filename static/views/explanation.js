@@ -5,6 +5,7 @@ import { codesOf, levelOf } from "../lib/verdict.js";
 import { message } from "../messages/index.js";
 import { explained } from "../service_texts.js";
 import { following } from "../store.js";
+import { remembering } from "./fold.js";
 import { sign } from "./parts.js";
 
 function warningMarkup(code) {
@@ -17,7 +18,7 @@ function warningMarkup(code) {
 
 export function createExplanation({ calculator, materialOf }) {
   const title = message("words.title");
-  const root = element(html`<section class="card plain-words" aria-label="${title}"><h2>${title}</h2><div></div></section>`);
+  const root = remembering(element(html`<details class="card fold plain-words"><summary><h2>${title}</h2></summary><div></div></details>`), "words");
   const host = root.querySelector("div");
   return {
     root,

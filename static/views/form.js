@@ -1,16 +1,16 @@
-/** The form of a calculator: groups of fields and choices, made from the form model. */
+/** The form of a calculator: an outline of sections with fields and choices, made from the form model. */
 import { formatNumber, formatQuantity, inNumerals, quantityParts } from "../lib/format.js";
-import { judgedOf, pathOf, sizedBy } from "../lib/checks.js";
+import { judgedOf, levelOfCheck, pathOf, sizedBy } from "../lib/checks.js";
 import { element, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
 import { shownUnit } from "../lib/units.js";
 import { shownFields, textIn } from "../lib/form_state.js";
+import { fieldsOf } from "../lib/schema_form.js";
 import { following, readingText, refusedAt, unread, wants } from "../store.js";
 import { createField } from "./field.js";
 import { createRows } from "./rows.js";
+import { createSection } from "./section.js";
 import { createGrid, createNames, createSwitch } from "./wanted_fields.js";
-
-const FOLDED = ["requirements", "satellite_body", "more"]; // groups that are opened when wanted
 
 function choiceAbout(choice) {
   const own = choice.auto ? null : message(`choice.${choice.id}`);
@@ -84,10 +84,10 @@ function createChoice({ id, title, options }, { on }) {
 const seriesOf = (name) => name.match(/^(?:R?NA\d\d|N[UJ]\d|HK|MR|6\d)(?=[\d/])/)?.[0];
 
 /**
- * `label` names it. `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`,
+ * `label` names it; `unfolded`, whether all its sections are open. `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`,
  * `on.apply()`, `on.lengths(option)`, `on.size(path)`, `on.switched(group, on)`, `on.asked(path)`.
  */
-export function createForm({ model, calculator, catalogues, lengths, label = message("form.inputs"), on }) {
+export function createForm({ model, calculator, catalogues, lengths, unfolded = false, label = message("form.inputs"), on }) {
   const root = element(html`<form class="form" novalidate aria-label="${label}"></form>`);
   root.addEventListener("submit", (event) => {
     event.preventDefault();
@@ -149,19 +149,18 @@ export function createForm({ model, calculator, catalogues, lengths, label = mes
   }
 
   /** A group that is off until wanted: its switch, and once that is on its fields. */
-  function addWanted({ id, items: [gate, ...items] }) {
-    const part = element(html`<fieldset class="group card wanted" data-group="${id}" aria-label="${gate.title}"></fieldset>`);
-    addField(gate, part);
-    root.append(part);
+  function addWanted({ id, items: [gate, ...items] }, section) {
+    addField(gate, section.root);
+    section.root.prepend(fields.get(gate.path).root); // before the fields that it brings
+    section.root.classList.add("wanted");
+    section.rows.append(element(html`<p class="note">${gate.help}</p>`));
     let added = false;
     return (state) => {
       if (added || !wants(state, id)) return;
       added = true;
       const host = element(html`<div class="wanted-fields"></div>`);
-      const more = element(html`<details class="more"><summary>${message("form.more")}</summary></details>`);
-      for (const item of items) addItem(item, item.advanced ? more : host);
-      if (more.children.length > 1) host.append(more);
-      part.append(host);
+      section.add(items, (item) => item.advanced, addItem, host);
+      section.rows.append(host);
     };
   }
 
@@ -182,27 +181,30 @@ export function createForm({ model, calculator, catalogues, lengths, label = mes
   const isRadius = ({ name = "" }) => name.endsWith("_radius_mm");
   const firstRadius = model.groups.find(({ items }) => items.some(isRadius));
   const wanted = [];
+  const sections = new Map(); // by the ids of their groups
+  const groupAt = new Map(model.groups.flatMap(({ id, items }) => items.flatMap(fieldsOf).map(({ path }) => [path, id])));
   for (const group of model.groups) {
-    if (group.wanted) {
-      wanted.push(addWanted(group));
-      continue;
-    }
-    const part = element(html`
-      <fieldset class="group card" data-group="${group.id}"><legend>${message(`group.${group.id}`)}</legend></fieldset>`);
-    if (group === firstRadius) addLengths(part);
-    const rare = (item) => FOLDED.includes(group.id) || item.advanced;
-    const rarely = group.items.filter(rare);
-    for (const item of group.items.filter((one) => !rare(one))) addItem(item, part);
-    if (rarely.length > 0) {
-      const more = element(html`<details class="more"><summary>${message(FOLDED.includes(group.id) ? `group.${group.id}` : "form.more")}</summary></details>`);
-      for (const field of rarely) addField(field, more);
-      part.classList.toggle("folded", rarely.length === group.items.length);
-      part.append(more);
-    }
-    root.append(part);
+    const title = group.wanted ? group.items[0].title : message(`group.${group.id}`);
+    const section = createSection({ id: group.id, title });
+    sections.set(group.id, section);
+    if (group === firstRadius) addLengths(section.rows);
+    if (group.wanted) wanted.push(addWanted(group, section));
+    else section.add(group.items, (item) => item.advanced, addItem);
+    root.append(section.root);
   }
+  sections.values().next().value.details.open = true;
 
-  root.append(help);
+  /** One section at a time is open, or all. */
+  function unfold(all) {
+    for (const { details, reveal } of sections.values()) {
+      details.name = all ? "" : label;
+      if (!all) continue;
+      details.open = true;
+      reveal();
+    }
+  }
+  unfold(unfolded);
+  root.append(element(html`<p class="legend note">${["typed", "follows", "usual"].map((origin) => html`<span data-origin="${origin}">${message(`form.origin.${origin}`)}</span>`)}</p>`), help);
 
   function noteOf(field, reading, text, filled) {
     if (reading?.readAs !== undefined) return message("form.readAs", { value: String(reading.readAs) });
@@ -240,7 +242,10 @@ export function createForm({ model, calculator, catalogues, lengths, label = mes
         if (!view || !shown.has(field)) continue;
       }
       const reading = missing.includes(path) ? {} : readings[path];
-      if (view.root.closest("details") && texts[path] !== textIn(field, field.default)) view.root.closest("details").open = true;
+      const usual = texts[path] === textIn(field, field.default);
+      const folded = view.root.closest("details:is(.more, .grid)");
+      if (folded && !usual) folded.open = true;
+      view.root.dataset.origin = texts[path] === "" ? "empty" : usual ? "usual" : "typed";
       const names = namesOf(field) ?? field.options?.map((name) => ({ name, title: name === "" ? "–" : message("option")[name], group_code: seriesOf(name) }));
       if (names) view.setNames?.(names, texts[path]);
       view.setText(field.kind === "switch" && !wants(state, field.wanted) ? "" : texts[path]);
@@ -257,6 +262,25 @@ export function createForm({ model, calculator, catalogues, lengths, label = mes
       });
     }
   }
+
+  /** The line of each section: what its boxes say. */
+  function summarise({ typed: { texts } }, shown) {
+    for (const { id, wanted: off, items } of model.groups) {
+      const own = items.flatMap(fieldsOf).filter((field) => shown.has(field) && !(off && texts[`${id}.on`] !== "on"));
+      sections.get(id).summarise(own.map((field) => [field, texts[field.path]]));
+    }
+  }
+
+  /** The worst of the checks that hang on each section, and of its boxes. */
+  const judge = following(({ shown, reading, touched, insisted, refusal }) => [shown, reading, touched, insisted, refusal], (state) => {
+    const levels = new Map([...sections.keys()].map((id) => [id, []]));
+    const at = (path, level) => levels.get(groupAt.get(path) ?? groupAt.get([...groupAt.keys()].find((one) => one.startsWith(`${path}.`))))?.push(level);
+    for (const check of judgedOf(calculator, state.shown?.answer)?.checks ?? []) {
+      for (const path of new Set((check.inputs ?? []).map(pathOf))) at(path, levelOfCheck(check));
+    }
+    for (const path of [...unread(state).wrong, ...Object.keys(state.refusal?.at ?? {})]) at(path, "bad");
+    for (const [id, section] of sections) section.judge(levels.get(id));
+  });
 
   /** What the theory gives from the other boxes. */
   function suggest(filled, texts) {
@@ -289,22 +313,28 @@ export function createForm({ model, calculator, catalogues, lengths, label = mes
     typed, refusal, touched, insisted, refused(besides).length, ...refused(besides),
   ], (state) => {
     show(state);
+    summarise(state, new Set(shownFields(model, state.typed)));
     suggest(state.reading.filled, state.typed.texts);
   });
   return {
     root,
+    /** To a box. What is not asked of such a design gives way to the first of its section, what is off to its switch. */
     focus(path) {
-      const view = fields.get(path);
-      view.root.closest("details")?.setAttribute("open", "");
-      // What is not asked of such a design gives way to the first box of its group.
-      const group = view.root.closest(".group");
-      const seen = ({ root: own }) => own.getClientRects().length > 0;
-      const first = [...fields].find(([at, one]) => group.contains(one.root) && seen(one) && model.fields.get(at).kind !== "switch");
-      (seen(view) ? view : first[1]).focus();
+      const group = groupAt.get(path);
+      const { root: section, details, reveal } = sections.get(group);
+      details.open = true;
+      if (fields.get(path)?.root.closest(".beyond")) reveal();
+      fields.get(path)?.root.closest("details.more")?.setAttribute("open", "");
+      const seen = ([at, { root: own }]) => section.contains(own) && own.getClientRects().length > 0 && model.fields.get(at).kind !== "switch";
+      const own = [...fields].filter(seen);
+      (own.find(([at]) => at === path) ?? own[0] ?? [null, fields.get(`${group}.on`)])[1].focus();
     },
+    open: (group) => sections.get(group).details.setAttribute("open", ""),
+    unfold,
     update(state) {
       boxes(state);
       sizes(state);
+      judge(state);
     },
   };
 }

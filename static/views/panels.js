@@ -1,6 +1,6 @@
 /**
- * What stands under the drawing, a tab each: only what is open is asked for. On a low screen the drawing is the first of
- * them, so that it and a figure share one box.
+ * What stands under the drawing, a tab each: only what is open is asked for. On a low screen, or where it is `tall`, the
+ * drawing is the first of them, so that it and a figure share one box.
  */
 import { element, html } from "../lib/html.js";
 import { lasting } from "../lib/storage.js";
@@ -11,7 +11,8 @@ const LOW = matchMedia("(height < 800px)");
 const DRAWING = "drawing";
 
 /** `id` is the calculator's, by which the open tab is remembered; `on.opened(tab)` tells of each that opens. */
-export function createPanels({ id, drawing, on }) {
+export function createPanels({ id, drawing, tall = false, on }) {
+  const shares = () => tall || LOW.matches;
   const kept = `tab-${id}`;
   const root = element(html`<div class="shown">
     <div class="strip tabs" role="tablist" aria-label="${message("panels.label")}"></div><div class="besides"></div></div>`);
@@ -23,12 +24,12 @@ export function createPanels({ id, drawing, on }) {
   /** Show the tab that is wanted; `again` after all were open. */
   function show(again = false) {
     const names = [...all].filter(([, { offered }]) => offered).map(([name]) => name);
-    const next = names.includes(wished) ? wished : names.find((name) => name !== DRAWING || LOW.matches);
+    const next = names.includes(wished) ? wished : names.find((name) => name !== DRAWING || shares());
     for (const [name, { tab, panel, offered }] of all) {
-      tab.hidden = !offered || (name === DRAWING && !LOW.matches);
+      tab.hidden = !offered || (name === DRAWING && !shares());
       tab.setAttribute("aria-selected", String(name === next));
       tab.tabIndex = name === next ? 0 : -1;
-      panel.hidden = name !== next && (name !== DRAWING || LOW.matches);
+      panel.hidden = name !== next && (name !== DRAWING || shares());
     }
     if (next === open && !again) return;
     open = next;
@@ -38,7 +39,7 @@ export function createPanels({ id, drawing, on }) {
   /** A tab; one that is not `offered` is hidden until it is. */
   function add(name, title, content, { offered = true, beside = false } = {}) {
     const tab = element(html`<button type="button" role="tab" id="tab-of-${name}" data-tab="${name}" aria-controls="panel-${name}">${title}</button>`);
-    const panel = element(html`<div class="panel" role="tabpanel" id="panel-${name}" aria-labelledby="tab-of-${name}"></div>`);
+    const panel = element(html`<div class="panel" role="tabpanel" tabindex="0" id="panel-${name}" aria-labelledby="tab-of-${name}"></div>`);
     panel.append(content);
     strip.append(tab);
     if (beside) besides.append(panel);
@@ -47,25 +48,25 @@ export function createPanels({ id, drawing, on }) {
     show();
   }
 
-  function choose(name) {
+  /** Open a tab, remembered where the user has `chosen` it. */
+  function choose(name, chosen = true) {
     wished = name;
+    if (chosen) lasting.setItem(kept, name);
     show();
     all.get(open)?.tab.scrollIntoView({ block: "nearest", inline: "nearest" });
   }
   strip.addEventListener("click", ({ target }) => {
     const name = target.closest("[data-tab]")?.dataset.tab;
-    if (!name) return;
-    lasting.setItem(kept, name);
-    choose(name);
+    if (name) choose(name);
   });
   arrows(strip);
 
   /** The drawing above the tabs, or as the first of them. */
   function place() {
     const { panel } = all.get(DRAWING);
-    if (LOW.matches) strip.after(panel);
+    if (shares()) strip.after(panel);
     else root.prepend(panel);
-    if (!LOW.matches && wished === DRAWING) wished = null;
+    if (!shares() && wished === DRAWING) wished = null;
     show();
   }
   add(DRAWING, message("panels.drawing"), drawing.root);

@@ -80,7 +80,7 @@ export function createProposals({ logic, client, titles, modelOf, on }) {
   }
 
   const form = createForm({
-    model, calculator: logic.FORM, catalogues: {}, label: message("propose.title"),
+    model, calculator: logic.FORM, catalogues: {}, unfolded: true, label: message("propose.title"),
     on: {
       typed: (path, text) => change(next.typedIn, path, text),
       step(path, direction, factor) {

@@ -100,7 +100,7 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
       <p class="made link-of">${location.href}</p>`);
     fill(givens, html`<h2>${message("form.inputs")}</h2>
       <div class="givens">${inputsMarkup(listedInputs(model, now.typed), catalogues)}</div>`);
-    const closed = ":is(.checks details.more, .aside, .torque details):not([open])";
+    const closed = ":is(.checks details.more, .aside, .plain-words, .torque details):not([open])";
     folds = [...outputs.querySelectorAll(whole ? `details.fold:not([open], .accuracy-fold), ${closed}` : closed)];
     for (const fold of folds) fold.open = true;
     if (whole) worked.unfold();

@@ -42,13 +42,13 @@ function rankedMarkup(title, rows) {
       <td>${text}</td><td>${alone}</td><td>${without}</td></tr>`)}</tbody></table></div></section>`;
 }
 
-export function createView({ id, logic, asking, fold, titles }) {
+export function createView({ id, logic, asking, open, titles }) {
   const root = element(html`<div class="study"><p class="state">${message("study.idleYet")}</p><div class="outcome"></div></div>`);
   const run = createRun({
     run: message("study.run"), stop: message("study.stop"), running: message("study.running"), idle: message("study.idleYet"),
     on: {
       run() {
-        fold.open(); // there its results come
+        open(); // there its results come
         asking.ask();
       },
       stop: () => asking.stop(),
@@ -58,7 +58,7 @@ export function createView({ id, logic, asking, fold, titles }) {
   const see = element(html`<button type="button" class="link" data-do="see" hidden>${message("study.see")}</button>`);
   run.root.querySelector("progress").before(see);
   see.addEventListener("click", () => {
-    fold.open();
+    open();
     root.closest("section").scrollIntoView();
   });
 

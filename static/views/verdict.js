@@ -3,7 +3,7 @@
  * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
  */
 import {
-  assumedIn, checkRow, coldYield, decisive, isLimited, judgedOf, levelOfWord, notConsidered, partRow, torqueUnknown, usuallyOf, wordNote, wordOf, wordText,
+  assumedIn, checkRow, coldYield, decisive, isLimited, judgedOf, levelOfWord, notConsidered, partRow, torqueUnknown, unknownIn, usuallyOf, wordNote, wordOf, wordText,
 } from "../lib/checks.js";
 import { formatQuantity, quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
@@ -28,7 +28,9 @@ function wordMarkup({ phase, numbers }, judged) {
   const text = word ? wordText(judged) : message(`state.${phase}`);
   const soFar = word === "incomplete" && Boolean(judged.parts); // neither good nor bad
   const level = word ? !soFar && levelOfWord(word) : ["wrong", "refused", ...UNANSWERED].includes(phase) && "bad";
+  const unknown = word === "incomplete" && unknownIn(judged);
   return html`<p class="word ${level || ""} ${soFar && "so-far"}">${sign(level)}${text}</p>
+    ${unknown > 0 && html`<p class="note"><button type="button" class="link unknown">${message("checks.unknown", { count: unknown })}</button></p>`}
     <p class="note">${word !== "pass" && (word ? wordNote(judged) : message(`state.${numbers}Note`))}
       ${UNANSWERED.includes(phase) && html`<button type="button" class="link again">${message("state.again")}</button>`}</p>`;
 }
@@ -44,7 +46,7 @@ function governingMarkup(judged, titles) {
 
 /** Largest torque and verdict of the design with what is usual. */
 const becomes = ({ largest_torque_Nm: torque, verdict }) =>
-  [torque !== undefined && formatQuantity(torque, "N·m", 3), wordText({ verdict, parts: [] })].filter(Boolean).join(", ");
+  [torque !== undefined && formatQuantity(torque, "N·m", 3), wordText({ verdict })].filter(Boolean).join(", ");
 
 /** What becomes of the design with a usual clearance, and with a usual ring of pins; or that it is looked for. */
 function usualMarkup({ sought, fit, ring }) {
@@ -68,11 +70,16 @@ function torqueMarkup({ numbers }, judged, usual, sought) {
   const label = html`<p class="label">${message("checks.torque")}</p>`;
   const { largest_torque_Nm: largest } = judged ?? {};
   const cold = judged && numbers !== "part" && coldYield(judged); // of plastic nobody knows a largest one
-  if (cold) return html`${label}<p class="note cold"><b>${cold.sentence}</b> <span class="by">${cold.by}</span></p>${usual && usualMarkup(usual)}`;
+  if (cold) {
+    const { value, unit } = quantityParts(cold.torque, "N·m", 3);
+    return html`${label}<p><span class="figures">${value}</span> <span class="figures-unit">${unit}</span></p>
+      <details class="note cold"><summary>${cold.short}</summary>${cold.sentence} ${cold.by}</details>${usual && usualMarkup(usual)}`;
+  }
   if (sought) return html`${label}<p class="sought"><span class="figures">…</span> <span class="figures-unit">${shownUnit("N·m")}</span></p>${usual && usualMarkup(usual)}`;
   if (largest === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>${usual && usualMarkup(usual)}`;
   const { value, unit } = quantityParts(largest, "N·m", 4);
-  return html`${label}<p><span class="figures">${value}</span> <span class="figures-unit">${unit}</span></p>${usual && usualMarkup(usual)}`;
+  const reserve = judged.torque_reserve && barMarkup(1 / judged.torque_reserve, judged.torque_reserve < 1 ? "bad" : "good");
+  return html`${label}<p><span class="figures">${value}</span> <span class="figures-unit">${unit}</span></p>${reserve}${usual && usualMarkup(usual)}`;
 }
 
 /** A chip for each part: its mark, its name; a click leads to its check or to what it lacks. */
@@ -89,7 +96,7 @@ function partsMarkup(parts, known) {
 }
 
 /**
- * `on.again()`: the service is to be asked once more; `on.asked(path)` leads to a field, `on.shown(code)` to a check,
+ * `on.again()`: the service is to be asked once more; `on.unknown(judged)` leads to what is not known, `on.asked(path)` leads to a field, `on.shown(code)` to a check,
  * `on.scoped(parts)` judges these parts alone; `scope` are all there are, of a calculator that has any.
  */
 export function createVerdict({ calculator, titles, scope: all = [], on }) {
@@ -108,7 +115,8 @@ export function createVerdict({ calculator, titles, scope: all = [], on }) {
     if (button.matches(".again")) {
       part("judged").focus(); // the button goes
       on.again();
-    } else if (ask) on.asked(ask);
+    } else if (button.matches(".unknown")) on.unknown(judgedNow);
+    else if (ask) on.asked(ask);
     else if (leaves) on.scoped(scope().filter((one) => one !== leaves));
     else if (takes) on.scoped(judgedNow.parts.map((one) => one.code).filter((one) => one === takes || scope().includes(one)));
     else if (code) on.shown(judgedNow.parts.find((one) => one.code === code).governing);
@@ -153,6 +161,7 @@ export function createNumbers({ calculator }) {
       // One line that is always there: the problem, the first warning, or that there is none.
       say.dataset.level = level;
       fill(say, html`${sign(level)}<span>${text}</span>`);
+      say.title = level === "warning" ? text : "";
       const judged = shown ? judgedOf(calculator, shown.answer) ?? {} : {};
       const looked = judged.verdict === "pass" && `${wordNote(judged)}.`;
       aside.textContent = [looked, assumedIn(judged), notConsidered(judged)].filter(Boolean).join(" ");

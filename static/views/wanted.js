@@ -15,11 +15,11 @@ export const ALL = "all";
  */
 export function createWanted({ calculator, panels, ...parts }) {
   const all = [...calculator.beside ?? [], ...calculator.wanted ?? []].filter(({ load }) => load);
-  const groups = all.map(({ id, section, load, shows = (state) => wants(state, id) }, i) => {
+  const groups = all.map(({ id, section, load, shows = (state) => wants(state, id), urgent = () => false }) => {
     const title = message(section ? `section.${section}` : `${id}.title`);
     const place = element(html`<section class="beside-card" data-wanted="${id}" aria-label="${title}"><h2>${title}</h2></section>`);
     panels.add(id, message(`tab.${id}`), place, { offered: false, beside: true });
-    return { id, section, load, shows, place, loading: null, asking: null, view: null, on: false, alone: i < (calculator.beside ?? []).length };
+    return { id, section, load, shows, urgent, place, loading: null, asking: null, view: null, urged: false };
   });
   let closed = false;
 
@@ -31,7 +31,7 @@ export function createWanted({ calculator, panels, ...parts }) {
     const [[logic, { createView }], { createBeside }] = loaded;
     const shows = (state) => group.shows(state) && [group.id, ALL].includes(state.tab);
     group.asking = createBeside?.({ ...parts, ...group, logic, shows });
-    group.view = createView({ ...parts, ...group, logic });
+    group.view = createView({ ...parts, ...group, logic, open: () => panels.open(group.id) });
     group.place.append(group.view.root);
     if (group.view.controls) parts.inputs.querySelector(`[data-group="${group.id}"] .wanted-fields`).append(group.view.controls);
     parts.store.apply(besided, group.id, {});
@@ -41,8 +41,9 @@ export function createWanted({ calculator, panels, ...parts }) {
     for (const group of groups) {
       const on = group.shows(state);
       panels.offer(group.id, on);
-      if (on && !group.on && group.alone) panels.open(group.id); // what nobody has asked for says what is wrong
-      group.on = on;
+      const urges = on && group.urgent(state);
+      if (urges && !group.urged) panels.open(group.id, false);
+      group.urged = urges;
       if (on) group.loading ??= open(group);
       group.asking?.update(state);
       if (on) group.view?.update(state);

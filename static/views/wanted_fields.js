@@ -10,9 +10,9 @@ import { boxTable } from "./rows.js";
 export function createSwitch(field, { on }) {
   const id = `field-${field.path.replaceAll(".", "-")}`;
   const root = element(html`
-    <div class="switch" data-path="${field.path}">
-      <label><input type="checkbox" role="switch" aria-describedby="${id}-message"><span>${field.title}</span></label>
-      <p class="note" id="${id}-message">${field.help}</p></div>`);
+    <div class="switch" data-path="${field.path}" title="${field.help}">
+      <input type="checkbox" role="switch" aria-label="${field.title}" aria-describedby="${id}-message">
+      <span class="unseen" id="${id}-message">${field.help}</span></div>`);
   const input = root.querySelector("input");
   input.addEventListener("change", () => on.switched(input.checked));
   return {

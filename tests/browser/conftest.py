@@ -89,7 +89,10 @@ def watch() -> Watch:
 
 
 # A visitor who has opened all that folds: what is folded at first is tested in test_layout.py.
-UNFOLDED = "localStorage.folds ??= JSON.stringify({ worked: true, accuracy: true });"
+UNFOLDED = """
+localStorage.folds ??= JSON.stringify({ worked: true, words: true });
+localStorage.outline ??= "all";
+"""
 
 
 @pytest.fixture

@@ -208,7 +208,7 @@ def test_nothing_is_called_safe_whose_limit_is_not_known(page: Page, service: st
     """A limit is entered where the page asks for it; then, and only then, there is a safety."""
     show(page, service, FITTED | {"contact.hole_material": "plastic_pom"})
     strip, checks = page.locator(".verdict"), page.locator(".checks")
-    expect(strip.locator(".word")).to_have_text(re.compile("So far nothing against it"))
+    expect(strip.locator(".word")).to_have_text(re.compile("Incomplete"))
     assert "✓" not in strip.inner_text() and "afety" not in page.locator(".summary").inner_text()
     unknown = checks.locator('[data-code="contact_pressure_hole"]')
     expect(unknown).to_have_attribute("data-status", "not_checked")
@@ -237,13 +237,13 @@ def test_what_cannot_be_built_is_red_with_the_reason(page: Page, service: str) -
 
 
 def cannot_be_built(page: Page, code: str) -> None:
-    expect(page.locator(".verdict .word.bad")).to_contain_text("Not possible")
+    expect(page.locator(".verdict .word.bad")).to_contain_text("Impossible")
     expect(page.locator("#panel")).to_have_attribute("data-impossible", "true")
     expect(page.locator(f'.check[data-code="{code}"]')).to_have_attribute("data-status", "fail")
     assert "✓" not in page.locator(".verdict").inner_text()
     assert page.locator('.results [data-name="safety_factor"]').count() == 0
     compared = page.locator(".compare")
-    expect(compared.locator("tbody tr").first).to_contain_text("Not possible")
+    expect(compared.locator("tbody tr").first).to_contain_text("Impossible")
     row = compared.locator("tbody tr").filter(has_text=re.compile("^Safety factor"))
     expect(row.locator("td").first).to_have_text("–")
     assert number(row.locator("td").nth(1).inner_text()) > 0
@@ -302,9 +302,9 @@ def test_a_design_of_ones_own_from_an_empty_form(page: Page, service: str) -> No
         expect(figures).to_have_text("–")
     expect(page.locator(".plain-words li, .drawing svg, .check, .js-line")).to_have_count(0)
     expect(page.locator(".figure-message:visible")).to_have_count(1)
+    expect(page.locator(".field.wrong")).to_have_count(0)
     tab(page, "compare").click()
     expect(page.locator(".compare-table").get_by_role("button", name="Open")).to_be_visible()
-    expect(page.locator(".field.wrong")).to_have_count(0)
     expect(page.locator(".say")).to_contain_text("Still needed")
     # The formula stands typeset on its button only.
     expect(box(page, "contact.hole_radius_mm")).to_have_attribute("placeholder", "")
@@ -324,6 +324,7 @@ def test_what_is_typed_on_a_phone_keeps_its_place_while_it_computes(
     """The first answer of a design from an empty form: nothing is hidden, no key goes astray."""
     page.set_viewport_size({"width": 390, "height": 844})
     show(page, service)
+    page.locator('.places [data-place="inputs"]').click()
     page.get_by_role("button", name="New").click()
     settled(page, "incomplete")
     for path, text in ZYL.items():
@@ -367,7 +368,7 @@ def test_a_verdict_that_has_moved_is_said(page: Page, service: str) -> None:
     notice = page.locator(".notice")
     expect(notice).to_be_hidden()
     page.goto(link.replace("verdict=incomplete", "verdict=fail"))
-    expect(notice).to_contain_text("the verdict was “Does not work”; it is now “Not known”")
+    expect(notice).to_contain_text("the verdict was “Fails”; it is now “Incomplete”")
     page.get_by_role("button", name="Keep this design").click()
     page.evaluate(
         "() => { const kept = JSON.parse(localStorage['khv-calc.designs']);"
@@ -377,10 +378,10 @@ def test_a_verdict_that_has_moved_is_said(page: Page, service: str) -> None:
     page.goto(link)
     tab(page, "compare").click()
     verdict = page.locator(".compare-table").get_by_role("row", name="Verdict")
-    expect(verdict).to_contain_text("when kept: Does not work")
+    expect(verdict).to_contain_text("when kept: Fails")
     expect(notice).to_be_hidden()
     page.get_by_role("button", name="Open design A").click()
-    expect(notice).to_contain_text("it is now “Not known”")
+    expect(notice).to_contain_text("it is now “Incomplete”")
     held: list[Route] = []
     page.route("**/api/v1/crank-planetary", lambda route: held.append(route))  # never answered
     page.goto(link.replace("&verdict=incomplete", "").replace("v=2", "v=1") + "&lang=uk")
@@ -398,8 +399,8 @@ def test_what_a_check_misses_is_a_click_away(page: Page, service: str) -> None:
     expect(box(page, "contact.hole_material.name")).to_have_value("plastic_pom")
     limit.fill("80")
     settled(page)
-    expect(page.locator(".word")).not_to_contain_text("Not known")
-    page.locator(".checks .more > summary").click()
+    expect(page.locator(".word")).to_contain_text("Fails")
+    page.locator(".checks .apart > summary").click()
     page.locator('[data-ask="mechanism.satellite_teeth"]').click()
     expect(box(page, "mechanism.satellite_teeth")).to_be_focused()
 

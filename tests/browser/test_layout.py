@@ -87,6 +87,34 @@ def test_a_figure_is_asked_for_when_its_tab_is_open(newcomer: Page, service: str
     expect(newcomer.locator('[data-wanted="losses"] .figures').first).to_be_visible()
 
 
+def test_inputs_are_an_outline_that_is_searched(newcomer: Page, service: str) -> None:
+    newcomer.goto(service)
+    settled(newcomer)
+    group = newcomer.locator("[data-group]")
+    opened_now = newcomer.locator(".section[open]")
+    expect(opened_now).to_have_count(1)
+    pins = group.locator("xpath=self::*[@data-group='pins']")
+    expect(pins.locator(".values")).to_contain_text("N\u00a03, R\u00a028")
+    expect(pins.locator(".mark")).to_contain_text("✓")
+    pins.locator("summary").first.click()
+    expect(opened_now).to_have_count(1)
+    expect(newcomer.locator('[data-path="mechanism.pins"] .box')).to_be_visible()
+    usual = newcomer.locator('[data-path="mechanism.satellites"]')
+    expect(usual).to_have_attribute("data-origin", "usual")
+    newcomer.locator("h1").click()
+    newcomer.keyboard.press("/")
+    newcomer.keyboard.type("K_A")
+    expect(newcomer.locator(".search li").first).to_contain_text("Application factor")
+    newcomer.keyboard.press("Enter")
+    expect(newcomer.locator('[data-path="load.application_factor"] .box')).to_be_focused()
+    expect(opened_now).to_have_count(1)
+    newcomer.keyboard.press("Control+a")
+    newcomer.keyboard.type("-1")
+    expect(newcomer.locator('[data-group="load"] .mark')).to_contain_text("✕")
+    newcomer.get_by_role("button", name="All open").click()
+    expect(opened_now).to_have_count(group.count())
+
+
 def test_below_800_px_one_part_is_in_sight(newcomer: Page, service: str) -> None:
     newcomer.set_viewport_size({"width": 390, "height": 844})
     newcomer.goto(service)
@@ -98,7 +126,8 @@ def test_below_800_px_one_part_is_in_sight(newcomer: Page, service: str) -> None
             expect(newcomer.locator(one)).to_be_visible(visible=one == part)
         expect(newcomer.locator(".verdict .word")).to_be_in_viewport()
         assert newcomer.evaluate("() => document.documentElement.scrollWidth") == 390
-    newcomer.locator('.parts button[data-ask]:not([data-ask=""])').first.click()
+    newcomer.locator(".places").get_by_role("button", name="Checks", exact=True).click()
+    newcomer.locator(".check .link").first.click()
     expect(newcomer.locator(".inputs")).to_be_visible()
 
 
@@ -108,7 +137,7 @@ def test_between_800_and_1280_px_inputs_fold_to_a_rail(newcomer: Page, service: 
     settled(newcomer)
     expect(newcomer.locator(".inputs")).to_be_hidden()
     newcomer.locator(".places").get_by_role("button", name="Inputs").click()
-    expect(newcomer.locator('[data-path="mechanism.pins"] .box')).to_be_visible()
+    expect(newcomer.locator('[data-path="mechanism.ratio"] .box')).to_be_visible()
     newcomer.keyboard.press("Escape")
     expect(newcomer.locator(".inputs")).to_be_hidden()
 
@@ -145,6 +174,7 @@ def test_the_other_calculators_fit_too(newcomer: Page, service: str, calculator:
 def test_diameters_are_diameters_everywhere_and_in_the_link(newcomer: Page, service: str) -> None:
     newcomer.goto(f"{service}/?calculator=crank-planetary")
     settled(newcomer)
+    newcomer.get_by_role("button", name="All open").click()
     newcomer.locator('[data-choice="lengths"] input[value="diameter"]').check(force=True)
     settled(newcomer)
     newcomer.locator('[data-path="real.on"] input').check()
@@ -194,14 +224,14 @@ def test_a_figure_has_a_large_view(newcomer: Page, service: str) -> None:
     expect(button).to_be_focused()
     assert force.bounding_box() == place
     newcomer.locator("h1").hover()
-    newcomer.locator('[data-path="mechanism.pins"] .box').focus()
+    newcomer.locator('[data-path="mechanism.ratio"] .box').focus()
     newcomer.keyboard.press("Alt+l")
     dialog = newcomer.get_by_role("dialog", name="Mechanism")
     expect(dialog.locator(".drawing svg")).to_be_visible()
     drawn = dialog.locator(".drawing svg").bounding_box()
     assert drawn and drawn["height"] > 500
     newcomer.get_by_role("button", name="Close").click()
-    expect(newcomer.locator('[data-path="mechanism.pins"] .box')).to_be_focused()
+    expect(newcomer.locator('[data-path="mechanism.ratio"] .box')).to_be_focused()
     assert newcomer.evaluate("() => watched.shift") < 0.001
     assert newcomer.evaluate("() => watched.violations") == []
 
@@ -211,6 +241,7 @@ def test_very_many_pins_are_refused_at_once(newcomer: Page, service: str) -> Non
     settled(newcomer)
     refused: list[str] = []
     newcomer.on("response", lambda answer: refused.append(answer.url) if answer.status > 399 else 0)
+    newcomer.locator('[data-group="pins"] summary').first.click()
     newcomer.locator('[data-path="mechanism.pins"] .box').fill("5000")
-    expect(newcomer.locator(".verdict .word")).to_contain_text("Not possible")
+    expect(newcomer.locator(".verdict .word")).to_contain_text("Impossible")
     assert refused == []

@@ -45,7 +45,7 @@ def test_a_ring_that_pieces_press_too_hard_makes_it_marginal(page: Page, service
     unfolded(page)
     filled(page, REQUESTS["propose"] | {"outer_diameter_mm": 80.0, "length_mm": 50.0})
     page.locator('.propose [data-path="torque_Nm"] .box').press("Enter")
-    expect(page.locator(".proposal")).to_contain_text("Marginal")
+    expect(page.locator(".proposal")).to_contain_text("Just works")
 
 
 def test_a_proposal_is_found_and_opened(page: Page, service: str, watch: Watch) -> None:
@@ -98,7 +98,7 @@ def test_where_none_is_found_it_is_said_why(page: Page, service: str) -> None:
     page.get_by_role("button", name="Open design").click()
     expect(box(page, "load.output_torque_Nm")).to_have_value("500")
     settled(page)
-    expect(page.locator(".verdict .word")).to_have_text("✕Does not work")
+    expect(page.locator(".verdict .word")).to_have_text("✕Fails")
 
 
 def test_what_is_refused_stands_at_its_field_and_a_search_is_cancelled(

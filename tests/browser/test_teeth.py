@@ -77,7 +77,7 @@ def test_teeth_are_typed_by_keyboard_to_a_green_word(page: Page, service: str) -
     settled(page)
     open_part = page.locator('[data-part="teeth"]')
     expect(open_part).to_contain_text("Modification not known")
-    expect(word(page)).to_have_text("So far nothing against it")
+    expect(word(page)).to_contain_text("Incomplete")
     for name, value in (("equidistant", "0,015"), ("pin_circle", "-0.005")):
         to(page, f"gear.modification.{name}_mm")
         page.keyboard.type(value)
@@ -103,7 +103,7 @@ def test_teeth_are_typed_by_keyboard_to_a_green_word(page: Page, service: str) -
     expect(first).to_have_value("0,5")
     first.press("ControlOrMeta+a")
     page.keyboard.type("-0,02")  # it presses
-    expect(word(page)).to_contain_text("Does not work")
+    expect(word(page)).to_contain_text("Fails")
     page.reload()
     settled(page)
     grid.locator("summary").click()

@@ -100,7 +100,7 @@ def test_the_verdict_in_words_and_what_mends_a_warning(page: Page, service: str)
     pins.fill("50")
     pins.press("Enter")
     settled(page)
-    expect(page.locator(".verdict .word")).to_have_text(re.compile("Not possible"))
+    expect(page.locator(".verdict .word")).to_have_text(re.compile("Impossible"))
     assert words.locator(".explained").count() >= 2  # holes and pins overlap, which checks say
     for explained in words.locator(".explained").all():
         assert explained.locator("dd").count() == 3
@@ -134,12 +134,12 @@ def test_several_inputs_are_changed_by_a_click(page: Page, service: str) -> None
         **{"strength.on": "on", "pin.satellite_positions_mm": "8.16;23.12"},
     }
     show(page, service, "crank-planetary", **design)
-    expect(page.locator(".verdict .word")).to_have_text(re.compile("Does not work"))
+    expect(page.locator(".verdict .word")).to_have_text(re.compile("Fails"))
     together = page.locator(".fix").first
     expect(together).to_contain_text("Together: Pin radius 6.6")
-    expect(together.locator("xpath=..")).to_contain_text("then: So far nothing against it")
+    expect(together.locator("xpath=..")).to_contain_text("then: Incomplete")
     together.click()
-    expect(page.locator(".verdict .word")).to_have_text(re.compile("So far nothing against it"))
+    expect(page.locator(".verdict .word")).to_have_text(re.compile("Incomplete"))
     settled(page)
     assert float(box(page, "contact.pin_radius_mm").input_value()) > 6.6
     assert float(box(page, "load.pin_circle_radius_mm").input_value()) > 47.9
@@ -150,9 +150,9 @@ def test_a_fix_and_a_size_are_applied_by_a_click(page: Page, service: str) -> No
     show(page, service, "crank-planetary")
     load = box(page, "load.output_torque_Nm")
     load.fill("1500")
-    expect(page.locator(".verdict .word")).to_have_text(re.compile("Does not work"))
+    expect(page.locator(".verdict .word")).to_have_text(re.compile("Fails"))
     page.locator(".fix").first.click()
-    expect(page.locator(".verdict .word")).to_have_text(re.compile("So far nothing against it"))
+    expect(page.locator(".verdict .word")).to_have_text(re.compile("Incomplete"))
     page.get_by_role("button", name="Undo").click()
     page.get_by_role("button", name="Size Pin radius for").click()
     sheet = page.locator("#sizing")

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { assumedIn, checkRow, fixRow, isLimited, judgedOf, notConsidered, partRow, sizedBy, torqueUnknown, verdictSentence, wordNote, wordOf } from "../../static/lib/checks.js";
+import { assumedIn, checkRow, fixRow, isLimited, judgedOf, notConsidered, partRow, sizedBy, torqueUnknown, unknownIn, verdictSentence, wordNote, wordOf, wordText } from "../../static/lib/checks.js";
 import { solutionOf, solveBody, targetsOf } from "../../static/lib/sizing.js";
 import { useLanguage } from "../../static/messages/index.js";
 import "./service.mjs";
@@ -29,7 +29,7 @@ test("the verdict stands at the answer or in the section that a calculator names
 test("what is impossible is more than failing", () => {
   assert.equal(wordOf(JUDGED), "fail");
   assert.equal(wordOf({ verdict: "fail", checks: [{ impossible: true }] }), "impossible");
-  assert.equal(verdictSentence(JUDGED, titles), "Does not work. Contact pressure of the hole: 548.2\u00a0MPa (≤\u00a0484.9\u00a0MPa). Largest torque allowed 218.1\u00a0N·m.");
+  assert.equal(verdictSentence(JUDGED, titles), "Fails. Contact pressure of the hole: 548.2\u00a0MPa (≤\u00a0484.9\u00a0MPa). Largest torque allowed 218.1\u00a0N·m.");
 });
 
 test("a check says value, limit with its sense, share, source and place; one without data what is missing, and never passes", () => {
@@ -83,9 +83,12 @@ test("the largest torque is asked for of what is judged and can be, with a clear
   ], [false, false, false, false, false]);
 });
 
-test("not known says whether checks are open, or nothing could break", () => {
+test("what is incomplete counts what is not known, or says that nothing could break", () => {
   const note = (not_checked) => wordNote({ verdict: "incomplete", counts: { not_checked }, checks: [] });
-  assert.deepEqual([note(1), note(2), note(0)], ["1 check is open", "2 checks are open", "nothing that was looked at could break"]);
+  assert.deepEqual([note(1), note(0)], ["", "nothing that was looked at could break"]);
+  const parts = ["pass", "open", "open", "left_out"].map((status) => ({ status }));
+  const open = { verdict: "incomplete", counts: { not_checked: 3 } };
+  assert.deepEqual([wordText({ ...open, parts }), unknownIn({ ...open, parts }), unknownIn(open)], ["Incomplete (1 of 3)", 2, 3]);
   assert.match(wordNote({ verdict: "pass", counts: { not_checked: 0 }, checks: [{ status: "pass", group: "new" }] }), /^looked at: new$/);
   assert.match(wordNote({ verdict: "fail", counts: { not_checked: 2 }, checks: [{ impossible: true }] }), /cannot be built/);
 });
@@ -118,7 +121,7 @@ test("a fix says the change, the verdict it leads to and what else it does; one 
   const fields = new Map([["contact.pin_radius_mm", FIELD]]);
   const fieldAt = (path) => fields.get(path);
   const row = fixRow(fix, fieldAt, JUDGED);
-  assert.deepEqual([row.applies, row.text, row.then, row.level], [true, "Pin radius 8\u00a0mm → 12.5\u00a0mm (+56.3\u00a0%)", "Marginal", "warning"]);
+  assert.deepEqual([row.applies, row.text, row.then, row.level], [true, "Pin radius 8\u00a0mm → 12.5\u00a0mm (+56.3\u00a0%)", "Just works", "warning"]);
   assert.equal(row.effects[0].text, "Contact pressure of the hole: 113\u00a0% → 90\u00a0% of the limit");
   assert.equal(fixRow({ ...fix, status: "not_enough", sets: undefined }, fieldAt, {}).applies, false);
   const chosen = { ...fix, pointer: "/contact/fit", title: "Fit", unit: "", from: "H9/f9", to: "H7/f7", change: undefined, sets: { "/contact/fit": "H7/f7" } };
@@ -132,7 +135,7 @@ test("a fix says the change, the verdict it leads to and what else it does; one 
   assert.deepEqual([wide.effects[0].level, wide.effects[0].text], ["bad", "Wall: met → not met"]);
   // Several inputs together are one click.
   const both = fixRow({ sets: { ...sets, "/mechanism/pins": 7 }, steps: [fix, { ...fix, pointer: "/mechanism/pins", title: "Pins", unit: "", from: 8, to: 7, change: -0.125, sets: {} }], verdict: "incomplete" }, fieldAt, { parts: [] });
-  assert.deepEqual([both.applies, both.then, both.effects, both.level], [true, "So far nothing against it", [], ""]);
+  assert.deepEqual([both.applies, both.then, both.effects, both.level], [true, "Incomplete", [], ""]);
   assert.equal(both.text, "Together: Pin diameter 16\u00a0mm → 25\u00a0mm (+56.3\u00a0%); Pins 8 → 7 (−13\u00a0%)");
 });
 

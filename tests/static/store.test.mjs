@@ -122,7 +122,7 @@ test("what cannot be built stands as not possible, and is said with its check", 
   const answer = { ...ANSWER, verdict: "fail", governing: "x", checks: [check] };
   const state = answeredWith(opened(), { answer });
   assert.deepEqual([state.phase, next.standing(state).phase], ["fresh", "refused"]);
-  assert.ok(state.said.startsWith("Not possible. Hole too small: 7.97\u00a0mm (≥\u00a08\u00a0mm)."));
+  assert.ok(state.said.startsWith("Impossible. Hole too small: 7.97\u00a0mm (≥\u00a08\u00a0mm)."));
 });
 
 test("a fix is applied as one step, and one of another design is passed over", () => {

@@ -1,4 +1,4 @@
-/** Pin and crankshaft to scale along their axes, with what holds and loads them. No DOM. */
+/** Pin, crankshaft and the whole reducer to scale along their axes, with what holds and loads them. No DOM. */
 import { formatQuantity } from "../../lib/format.js";
 import { html } from "../../lib/html.js";
 import { arrow, createView, dimension, label, line, mm, paper, path, scaleBar, roundBelow } from "../../lib/svg.js";
@@ -153,5 +153,75 @@ export function crankDrawing({ input, answer, width, height }) {
       "px-per-mm": view.scale, "px-per-n": newton,
     }),
     caption: message(body.outer_radius_mm ? "crank.scale" : "crank.scaleAssumed", { eccentricity: mm(e) }),
+  };
+}
+
+/** A part on both sides of an axis at `o`, from one radius to another. */
+const mirrored = (view, x0, x1, from, to, o = 0, kind = "body", field = "") => html`${[1, -1].map((side) => bar(view, x0, x1, o + side * from, o + side * to, kind, field))}`;
+
+/** A bearing in section, its rolling elements crossed; nothing where its sizes are not known. */
+function bearingMarkup(view, x, { bore_diameter_mm: inner, outer_diameter_mm: outer, width_mm: width }, o = 0, field = "") {
+  if (!(inner && outer && width)) return null;
+  const [low, high] = [inner / 2, outer / 2];
+  const cross = (side) => [[low, high], [high, low]].map(([a, b]) => line(view.at([x - width / 2, o + side * a]), view.at([x + width / 2, o + side * b]), "rolling", field));
+  return html`${mirrored(view, x - width / 2, x + width / 2, low, high, o, "body", field)}${[1, -1].map(cross)}`;
+}
+
+/** Where the discs stand along the axis. */
+const discsOf = ({ crankshaft, pin }) => crankshaft?.satellite_positions_mm ?? pin?.satellite_positions_mm;
+
+/** The reducer cut along its axis in the plane of the first crank: what is known of its discs, pins, ring, bearings, shaft, carrier and housing. */
+export function axisDrawing({ input, answer, width, height }) {
+  const { mechanism, load, contact, satellite_body: body = {}, besides } = input;
+  const { crankshaft = {}, pin = {}, gear = {}, bearing = {} } = besides;
+  const usual = (answer.assumed ?? []).filter(({ pointer }) => pointer.startsWith("/build/")).map(({ pointer, value }) => [pointer.split("/")[2], value]);
+  const made = { ...Object.fromEntries(usual), ...besides.build };
+  const { eccentricity_mm: e, contact_length_mm: b, pin_radius_mm: r } = contact;
+  const R = load.pin_circle_radius_mm;
+  const hole = contact.hole_radius_mm ?? r + e + (contact.hole_clearance_mm ?? 0);
+  const planes = discsOf(besides).slice(0, MOST_DRAWN);
+  const offsets = cranksOf(mechanism).map((angle) => e * Math.cos(angle * RADIAN));
+  const [first, last] = ends(planes);
+  const { ring_pin_circle_radius_mm: circle, ring_pin_radius_mm: ringPin } = gear;
+  const rim = circle && ringPin ? circle - ringPin : body.outer_radius_mm ?? R + 1.3 * hole;
+  const bore = body.bore_radius_mm ?? bearing.outer_diameter_mm / 2;
+  const start = pin.satellite_positions_mm ? planes[0] - pin.satellite_positions_mm[0] : first - b / 2 - b / 4;
+  const held = pin.span_mm && pin.support !== "cantilever";
+  const end = held ? start + pin.span_mm : last + b / 2;
+  const plates = [[start - (made.carrier_width_mm ?? 0), start], ...held ? [[end, end + (made.second_carrier_width_mm ?? 0)]] : []].filter(([from, to]) => to > from);
+  const shaft = (crankshaft.bearing_positions_mm ?? []).map((place, i) => ({ place, ...crankshaft.bearings?.[i] }));
+  const middle = (first + last) / 2;
+  const wall = made.housing_width_mm ? [middle - made.housing_width_mm / 2, middle + made.housing_width_mm / 2] : [first - b / 2, last + b / 2];
+  const outside = (made.housing_diameter_mm ?? 0) / 2;
+  const tall = Math.max(outside, (made.carrier_diameter_mm ?? 0) / 2, ringPin ? circle + ringPin : rim + e);
+  const beyond = shaft.map(({ width_mm: wide = b / 2 }) => wide);
+  const [from, to] = ends([...planes.flatMap((z) => [z - b / 2, z + b / 2]), start, end, ...plates.flat(), ...outside ? wall : [], ...shaft.flatMap(({ place }, i) => [place - beyond[i], place + beyond[i]])]);
+  const view = viewOf({ width, height }, { from, to, above: tall, below: tall, tiers: 1 });
+  const low = view.at([0, -tall])[1];
+  const radius = (shaft[0]?.bore_diameter_mm ?? bearing.bore_diameter_mm ?? bore) / 2;
+  const marks = roundBelow((to - from) / 2, "mm");
+  return {
+    markup: paper(width, height, html`
+      ${outside > 0 && mirrored(view, ...wall, ringPin ? circle : rim + e, outside, 0, "body housing", "build.housing_diameter_mm build.housing_width_mm")}
+      ${ringPin && mirrored(view, first - b / 2, last + b / 2, circle - ringPin, circle + ringPin, 0, "pin", "gear.ring_pin_circle_radius_mm gear.ring_pin_radius_mm")}
+      ${made.carrier_diameter_mm && plates.map(([x0, x1]) => mirrored(view, x0, x1, Math.max(...shaft.map(({ outer_diameter_mm: d = 0 }) => d / 2), 0), made.carrier_diameter_mm / 2, 0, "body", "build.carrier_diameter_mm build.carrier_width_mm"))}
+      ${planes.map((z, j) => {
+        const o = offsets[j] ?? 0;
+        const [x0, x1] = [z - b / 2, z + b / 2];
+        return html`<g class="series-${(j % 6) + 1}">
+          ${[1, -1].map((side) => bar(view, x0, x1, o + side * bore, side * rim + (ringPin ? 0 : o), "body satellite-body", "crankshaft.satellite_positions_mm contact.contact_length_mm"))}
+          ${[1, -1].map((side) => bar(view, x0, x1, side * R + o - hole, side * R + o + hole, "body cut", "contact.hole_radius_mm"))}
+          ${bar(view, x0, x1, o - (bearing.bore_diameter_mm / 2 || bore * 0.8), o + (bearing.bore_diameter_mm / 2 || bore * 0.8), "body", "contact.eccentricity_mm")}
+          ${bearingMarkup(view, z, bearing, o, "bearing.outer_diameter_mm bearing.width_mm")}
+          ${line(view.at([x0 - b / 8, o]), view.at([x1 + b / 8, o]), "centre crank-axis")}</g>`;
+      })}
+      ${[1, -1].map((side) => bar(view, plates[0]?.[0] ?? start, plates[1]?.[1] ?? end, side * R - r, side * R + r, "pin", "contact.pin_radius_mm load.pin_circle_radius_mm"))}
+      ${bar(view, from, planes[0] - b / 2, -radius, radius, "body")}${bar(view, planes.at(-1) + b / 2, to, -radius, radius, "body")}
+      ${shaft.map((one, i) => html`${bearingMarkup(view, one.place, one, 0, `crankshaft.bearings.${i}.outer_diameter_mm`) ?? rolling(view, one.place, radius)}`)}
+      ${line(view.at([from, 0]).map((x, i) => x - (i === 0 ? 16 : 0)), view.at([to, 0]).map((x, i) => x + (i === 0 ? 16 : 0)), "centre")}
+      ${shaft.length > 1 ? places(view, shaft[0].place, [shaft[1].place], low, "crankshaft.bearing_positions_mm", () => "AB")
+        : planes.length > 1 && places(view, first, [last], low, "pin.satellite_positions_mm", () => "z")}
+      ${scaleBar([12, height - 12], view.size(marks), mm(marks))}`, { "px-per-mm": view.scale }),
+    caption: message("drawing.axisScale"),
   };
 }

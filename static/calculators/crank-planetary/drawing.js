@@ -28,8 +28,9 @@ const FIELD = {
   start: "mechanism.initial_crank_angle_deg",
 };
 
-/** Where the two views stand on a paper of this size. */
-function places(width, height) {
+/** Where the two views stand on a paper of this size, or the first `alone`. */
+function places(width, height, alone) {
+  if (alone) return { main: { x: width / 2, y: height / 2, half: Math.min(width, height) / 2 } };
   const wide = width >= WIDE_PX;
   const main = wide ? Math.min(height, width * 0.58) : Math.min(width, height * 0.58);
   const half = main / 2;
@@ -230,10 +231,10 @@ function caption(m) {
  * The drawing of an answer on a paper of a size in pixels; null for too many pairs. `attach(host)`
  * makes it move: `move(angle, pair)` with the name of the pair that is selected, or null.
  */
-export function createDrawing({ input, answer, curves, width, height }) {
+export function createDrawing({ input, answer, curves, width, height, alone = false }) {
   const m = mechanismOf(input, answer);
   if (m.pairs.length > MOST_PAIRS.drawn) return null;
-  const { main, detail } = places(width, height);
+  const { main, detail } = places(width, height, alone);
   const pitch = pitchRadii(m);
   const holes = m.radius + m.holeRadius;
   const real = Boolean(answer.load_sharing);
@@ -246,7 +247,7 @@ export function createDrawing({ input, answer, curves, width, height }) {
     : m.radius * 1.2;
   const view = createView({ ...main, scale: (main.half - MARGIN) / reach });
   const room = LABEL_PX + CHARACTER_PX * Math.max(...[m.holeRadius, m.pinRadius].map((length) => sized("", length ?? 0).join("").length));
-  const close = m.eccentricity
+  const close = m.eccentricity && detail
     ? createView({ ...detail, scale: Math.max(detail.half * 0.24, Math.min(detail.half * 0.62, detail.half - room)) / (m.holeRadius + m.eccentricity) })
     : null;
   const round = peak && roundBelow(peak / 2, "N");

@@ -120,6 +120,9 @@ function withoutFalseSafety(answer) {
   return { ...answer, hertz };
 }
 
+/** Where the discs stand along the axis, where that is known. */
+const placesOf = ({ crankshaft, pin }) => crankshaft?.satellite_positions_mm?.length || pin?.satellite_positions_mm?.length;
+
 const pairColumns = () => ["satellite", "pin"].map((name) => ({ title: quantityTitle(name) }));
 const phaseColumns = () => ["from", "to"].map((name) => ({ title: message(`figure.${name}`), unit: "°" }));
 
@@ -286,7 +289,13 @@ export default {
   ],
 
   /** The drawing takes its forces from a figure's curves. */
-  drawing: { create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: (answer) => judgedOf(answer)?.peak_crank_angle_deg },
+  drawing: {
+    create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: (answer) => judgedOf(answer)?.peak_crank_angle_deg,
+    views: [
+      { id: "disc", create: (about) => createDrawing({ ...about, alone: true }) },
+      { id: "axis", shows: ({ contact, besides = {} }) => Boolean(contact?.contact_length_mm && placesOf(besides)), load: async () => (await import("./along.js")).axisDrawing },
+    ],
+  },
 
   figures: [
     {

@@ -359,15 +359,18 @@ export const WANTED = [
  * turn each for itself: these are no one fit.
  */
 function showsFit(state) {
-  const { about: { calculator }, shown, reading: { input } } = state;
-  if (input.besides?.satellite_coupling) return false;
-  const check = judgedOf(calculator, shown?.answer)?.checks?.find(({ code }) => code === "interference");
-  return wants(state, "real") || ["fail", "marginal"].includes(check?.status);
+  return !state.reading.input.besides?.satellite_coupling && (wants(state, "real") || misfits(state));
 }
 
-/** Groups that nobody switches: shown where `shows(state)` says so. */
+/** Whether the fit of pins and holes is found wanting. */
+function misfits({ about: { calculator }, shown }) {
+  const check = judgedOf(calculator, shown?.answer)?.checks?.find(({ code }) => code === "interference");
+  return ["fail", "marginal"].includes(check?.status);
+}
+
+/** Groups that nobody switches: shown where `shows(state)` says so, and opened where it is `urgent(state)`. */
 export const BESIDE = [
-  { id: "fit", shows: showsFit, load: () => Promise.all([import("./fit.js"), import("../../views/live.js")]) },
+  { id: "fit", shows: showsFit, urgent: misfits, load: () => Promise.all([import("./fit.js"), import("../../views/live.js")]) },
 ];
 
 /** Whether a group is on. */

@@ -155,7 +155,7 @@ export default {
 
   elsewhere: ["lines"],
 
-  drawing: { create: createDrawing, section: "contact_line", figure: "shaft" },
+  drawing: { create: createDrawing, section: "contact_line", figure: "shaft", tall: true, least: 480 },
 
   figures: [
     {
