@@ -180,6 +180,7 @@ def test_of_a_loose_mechanism_all_shows_the_forces_that_are_solved(
     assert charts.count("/api/v1/crank-planetary/chart") == 2
     # Kept and tightened: each design by its own model.
     page.get_by_role("button", name="Keep this design").click()
+    tab(page, "force").click()
     box(page, "contact.hole_clearance_mm").fill("0.04")
     settled(page)
     page.wait_for_function(
@@ -201,6 +202,7 @@ def test_the_slider_moves_everything_and_asks_nothing(page: Page, service: str, 
     for angle in (12.5, 180, 300.5):
         slider(page).evaluate(MOVE, angle)
         for figure in ("cyclogram", "force"):
+            tab(page, figure).click()
             at = page.evaluate(CURSOR, figure)
             assert at == pytest.approx(page.evaluate(AXIS, [figure, angle]), abs=1.5)
         turned = page.locator(".drawing .pins").get_attribute("transform") or ""
@@ -287,7 +289,7 @@ def test_it_plays_and_stops(page: Page, service: str) -> None:
 
 
 def test_nothing_moves_by_itself_where_motion_is_not_wanted(browser: Browser, service: str) -> None:
-    context = browser.new_context(reduced_motion="reduce")
+    context = browser.new_context(reduced_motion="reduce", viewport={"width": 1440, "height": 900})
     page = context.new_page()
     open_mechanism(page, service)
     expect(page.get_by_role("button", name="Play")).to_have_count(0)
@@ -356,7 +358,8 @@ def test_a_dead_centre_is_drawn_without_forces(page: Page, service: str) -> None
 @pytest.mark.parametrize("width", [1440, 390, 360])
 def test_nothing_shifts_and_nothing_overflows(page: Page, service: str, width: int) -> None:
     page.set_viewport_size({"width": width, "height": 900})
-    open_mechanism(page, service)
+    show(page, service, "crank-planetary", **FORCES)
+    expect(page.locator(".drawing svg > .force.arrow:not(.none)").first).to_be_attached()
     assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth")
     assert page.evaluate("() => watched.shift") < 0.02
     assert page.evaluate(OUTSIDE) == []
@@ -474,6 +477,7 @@ def test_what_is_drawn_of_older_inputs_says_so(page: Page, service: str) -> None
     box(page, "load.output_torque_Nm").fill("60")
     settled(page)
     expect(marks.filter(visible=True)).to_have_text(["Older inputs"] * 2)
+    page.evaluate("() => scrollTo(0, 0)")
     assert page.locator(".mechanism").bounding_box() == room
     for route in held:
         route.continue_()
@@ -485,4 +489,4 @@ def test_what_is_drawn_of_older_inputs_says_so(page: Page, service: str) -> None
     expect(marks.filter(visible=True)).to_have_count(0)
     box(page, "mechanism.satellites").fill("40")
     settled(page, "wrong")
-    expect(page.locator(".shown .mechanism .older")).to_be_visible()
+    expect(page.locator("#panel-drawing .mechanism .older")).to_be_visible()

@@ -83,6 +83,7 @@ def test_refusals_of_the_service_are_translated(browser, service: str) -> None: 
     context = browser.new_context(locale="ru-RU")
     page = context.new_page()
     show(page, service, "crank-planetary")
+    page.locator(".search .toggle").click()
     for path, value in (("mechanism.pins", "2"), ("mechanism.satellites", "1")):
         box(page, path).fill(value)
     box(page, "mechanism.crank_spacing_deg").fill("0")
@@ -111,7 +112,7 @@ def test_words_have_their_room_at_every_width(
 
 
 def tabs_and_headings_are_in_sight(page: Page) -> None:
-    room = page.locator(".tabs").evaluate(
+    room = page.locator("#tabs").evaluate(
         "({ scrollWidth, clientWidth, scrollHeight, clientHeight }) =>"
         " [scrollWidth - clientWidth, scrollHeight - clientHeight]"
     )
