@@ -35,6 +35,7 @@ export function createDrawingView({ calculator, on }) {
       <div class="drawing" role="img" aria-label="${message(`drawing.${calculator.id}Label`)}"></div>
       ${olderMark()}<p class="scale"></p>
     </section>`);
+  for (const { id, shows } of views) root.querySelector(`[data-view="${id}"]`).hidden = Boolean(shows); // until it is known to be there
   const place = root.querySelector(".drawing");
   const controls = root.querySelectorAll(".save, .motion button, .motion input, .motion select");
   const scale = root.querySelector(".scale");

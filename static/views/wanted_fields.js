@@ -15,6 +15,8 @@ export function createSwitch(field, { on }) {
       <span class="unseen" id="${id}-message">${field.help}</span></div>`);
   const input = root.querySelector("input");
   input.addEventListener("change", () => on.switched(input.checked));
+  // A box that is left may change its height, and the switch would move from under the pointer.
+  input.addEventListener("mousedown", (event) => event.preventDefault());
   return {
     root,
     focus: () => input.focus(),

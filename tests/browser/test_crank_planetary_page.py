@@ -301,8 +301,9 @@ def test_a_design_of_ones_own_from_an_empty_form(page: Page, service: str) -> No
     for figures in page.locator(".summary .figures").all():
         expect(figures).to_have_text("–")
     expect(page.locator(".plain-words li, .drawing svg, .check, .js-line")).to_have_count(0)
-    expect(page.locator(".figure-message:visible")).to_have_count(1)
     expect(page.locator(".field.wrong")).to_have_count(0)
+    tab(page, "force").click()
+    expect(page.locator(".figure-message:visible")).to_have_count(1)
     tab(page, "compare").click()
     expect(page.locator(".compare-table").get_by_role("button", name="Open")).to_be_visible()
     expect(page.locator(".say")).to_contain_text("Still needed")

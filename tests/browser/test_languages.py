@@ -5,7 +5,7 @@ import re
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.calculator_page import TEXTS, box, foreign, settled, show
+from tests.browser.calculator_page import TEXTS, box, figures_drawn, foreign, settled, show
 from tests.running_service import eventually
 
 CALCULATORS = {
@@ -21,7 +21,7 @@ def test_nothing_is_left_in_english(
     page: Page, service: str, calculator: str, language: str
 ) -> None:
     show(page, service, calculator)
-    expect(page.locator(".js-plotly-plot .xtitle").first).to_be_attached()
+    figures_drawn(page)
     english = page.locator(".results .value").all_text_contents()
     assert foreign(page)  # the check sees English
     page.get_by_role("button", name="Settings").click()
@@ -29,7 +29,7 @@ def test_nothing_is_left_in_english(
         page.locator("#language").select_option(language)
     settled(page)
     assert page.evaluate("() => document.documentElement.lang") == language
-    expect(page.locator(".js-plotly-plot .xtitle").first).to_be_attached()
+    figures_drawn(page)
     page.evaluate(
         "() => document.querySelectorAll('.outputs details').forEach((d) => d.open = true)"
     )
@@ -145,9 +145,12 @@ def names_break_between_words_only(page: Page) -> None:
 def test_help_is_in_sight_covers_not_its_box_and_moves_nothing(page: Page, service: str) -> None:
     page.goto(f"{service}/?calculator=crank-planetary&lang=uk&crank.on=on&bearings.on=on")
     settled(page, "incomplete")
+    expect(box(page, "gear.kind")).to_be_visible()
     help_line = page.locator(".help")
     for size in ((1280, 720), (360, 640)):
         page.set_viewport_size({"width": size[0], "height": size[1]})
+        if size[0] < 800:
+            page.locator('.places [data-place="inputs"]').click()
         page.evaluate("() => document.activeElement.blur()")
         expect(help_line).to_be_hidden()
         height = page.locator(".form").evaluate("(form) => form.offsetHeight")

@@ -99,6 +99,7 @@ def test_rollers_one_by_one_with_the_keyboard(page: Page, service: str, watch: A
     cell(page, 3, "Contact from").fill("-50")
     cell(page, 3, "Contact to").fill("-40")
     settled(page)
+    tab(page, "contactLines").click()
     page.locator('[data-figure="contactLines"] .show-table').click()
     row = page.locator('[data-figure="contactLines"] .figure-table tbody tr').nth(2)
     expect(row).to_contain_text("\u221250")
@@ -140,8 +141,9 @@ def test_a_wheel_and_a_stepped_shaft_start_from_the_same_design(page: Page, serv
 
 def test_narrow_screens_and_the_dark(page: Page, service: str) -> None:
     page.emulate_media(color_scheme="dark")
+    show(page, service, "precession")
     with page.expect_request("**/precession/contact-line/chart?theme=dark"):
-        show(page, service, "precession")
+        tab(page, "contactLines").click()
     fits_narrow_screens(page, "precession")
     page.locator('.places [data-place="inputs"]').click()
     boxes = page.locator(".records .box").evaluate_all("all => all.map(one => one.offsetWidth)")
