@@ -10,7 +10,7 @@ import statistics
 import sys
 from collections.abc import Collection, Sequence
 
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, ViewportSize
 
 from benchmarks.load import service as running_service
 from benchmarks.options import options
@@ -51,6 +51,9 @@ FIRST = """() => {
   }).observe(document, { childList: true, subtree: true });
 }"""
 
+SCREEN: ViewportSize = {"width": 1440, "height": 900}
+"""Screen on which drawing and figure stand together."""
+
 # Turn the crank over 120 frames; return the mean time of one, layout included.
 TURN = """(slider) => new Promise((resolve) => {
   const spent = [];
@@ -69,11 +72,11 @@ TURN = """(slider) => new Promise((resolve) => {
 
 def open_page(page: Page, service: str, calculator: str) -> None:
     """Open the calculator and wait until its figure is in sight, drawn and at rest."""
-    figure = page.locator(f'[data-figure="{CALCULATORS[calculator][1]}"]')
+    name = CALCULATORS[calculator][1]
     page.goto(f"{service}/?calculator={calculator}")
     page.wait_for_selector('#panel[data-state="fresh"]')
-    figure.scroll_into_view_if_needed()
-    figure.locator(".js-line").first.wait_for()
+    page.locator(f'.strip [data-tab="{name}"]').click()
+    page.locator(f'[data-figure="{name}"] .js-line').first.wait_for()
     page.wait_for_timeout(500)
 
 
@@ -81,7 +84,7 @@ def first_figure(browser: Browser, service: str, rounds: int) -> float:
     """Median time to the first figure with an empty cache of the browser, ms."""
     times = []
     for _ in range(rounds):
-        with browser.new_context() as context:
+        with browser.new_context(viewport=SCREEN) as context:
             context.add_init_script(f"({FIRST})()")
             page = context.new_page()
             page.wait_for_timeout(1000)  # opening a tab keeps the browser busy
@@ -105,7 +108,7 @@ def main(rounds: int, calculators: Collection[str], asked_of: Sequence[int] | No
     """Measure these calculators; True if a mark is missed."""
     serving = running_service("app.serve", running=asked_of)
     with serving as service, chromium.started() as browser:
-        page, missed = browser.new_page(), False
+        page, missed = browser.new_page(viewport=SCREEN), False
         address = f"http://127.0.0.1:{service.port}"
         for calculator in calculators:
             numbers, figures = measure(page, address, calculator, rounds)
