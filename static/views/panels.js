@@ -20,9 +20,12 @@ export function createPanels({ id, drawing, tall = false, on }) {
   const all = new Map(); // by name, `{ tab, panel, offered }`
   let wished = lasting.getItem(kept);
   let open = null;
+  let together = false; // all are open, for paper, whose height is none of the screen's
 
   /** Show the tab that is wanted; `again` after all were open. */
   function show(again = false) {
+    if (together && !again) return;
+    together = false;
     const names = [...all].filter(([, { offered }]) => offered).map(([name]) => name);
     const next = names.includes(wished) ? wished : names.find((name) => name !== DRAWING || shares());
     for (const [name, { tab, panel, offered }] of all) {
@@ -43,7 +46,7 @@ export function createPanels({ id, drawing, tall = false, on }) {
     panel.append(content);
     strip.append(tab);
     if (beside) besides.append(panel);
-    else root.append(panel);
+    else besides.before(panel);
     all.set(name, { tab, panel, offered });
     show();
   }
@@ -85,6 +88,7 @@ export function createPanels({ id, drawing, tall = false, on }) {
     },
     /** All that are offered are open at once, for paper, but those named; `show` undoes it. */
     all(but = []) {
+      together = true;
       for (const [name, { panel, offered }] of all) panel.hidden = !offered || but.includes(name);
     },
     show,

@@ -9,7 +9,7 @@ import { download } from "./files.js";
 import { symbolMarkup, tableMarkup } from "./parts.js";
 
 const PAPER_WIDTH = 660; // of a figure, in the pixels of a print: A4 less its margins
-const PAPER_HEIGHT = 0.54; // of that on the screen, where that leaves its titles room
+const PAPER_HEIGHT = 0.46; // of that on the screen, where that leaves its titles room
 const LEAST_HEIGHT = 200;
 const LEFT_OUT = "button, input, select, .strip, .motion, .figure-tools, .compare, .say, .cursor, .accuracy-fold, [hidden], script, link";
 

@@ -12,7 +12,6 @@ import ezdxf
 import httpx
 import pytest
 from playwright.sync_api import Browser, Page, expect
-from pypdf import PdfReader
 
 from core.precision import AS_TYPED
 from tests.browser.calculator_page import number, printed, saved, settled, show, text_of
@@ -25,7 +24,7 @@ CALCULATIONS = {
 WITH_OUTLINES = {"cycloid", "involute"}  # teeth that the service draws
 DISCS_AND_RING = 3
 PAPER_PX = 688  # A4 less the margins
-MOST_PAGES = 5  # a cycloid reducer with all its parts; four are wanted
+MOST_PAGES = 4
 
 COVERED = """() => {
   const shown = (node) => node.checkVisibility({ visibilityProperty: true });
@@ -108,10 +107,9 @@ def test_every_example_is_taken_along_whole(
         settled(page)
         expect(page.locator(".outputs [data-stale=true]:visible")).to_have_count(0)
         given = given_by(example)
-        pdf = on_paper(page)  # before the report draws also what no tab has shown
         codes = the_numbers_are_taken_along(page, example["id"], given)
         the_saved_report_has_them(page, reader, example["id"], given, codes)
-        the_print_has_them(page, example["id"], reader.evaluate(SAID), pdf)
+        the_print_has_them(page, example["id"], reader.evaluate(SAID))
     alone.close()
 
 
@@ -167,15 +165,11 @@ def the_saved_report_has_them(
     assert reader.evaluate(COVERED) == [], name
 
 
-def on_paper(page: Page) -> PdfReader:
+def the_print_has_them(page: Page, name: str, said: list[str]) -> None:
     pdf = printed(page)
     if len(pdf.pages) > MOST_PAGES:  # seen once on a busy machine; the cause is not known
         page.wait_for_timeout(3000)
         pdf = printed(page)
-    return pdf
-
-
-def the_print_has_them(page: Page, name: str, said: list[str], pdf: PdfReader) -> None:
     assert 2 <= len(pdf.pages) <= MOST_PAGES, (name, len(pdf.pages))
     text = plain(text_of(pdf))
     assert [words for words in said if plain(words) not in text] == [], name

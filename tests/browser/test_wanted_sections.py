@@ -532,7 +532,6 @@ def test_fatigue_of_rollers_and_of_the_shaft_with_its_contact_lines(
     expect(size).to_be_disabled()  # until a check tells how much of it is used
     box(page, "tensile_strength_MPa").fill("900")
     box(page, "fatigue.fatigue_notch_factor").fill("1.6")
-    settled(page)
     switch(page, "lines").check()
     box(page, "line_contact.mating_radius_mm").fill("-30")
     expect(row("Pressure along the contact lines")).to_be_attached()
