@@ -2134,9 +2134,10 @@ def fitting(gf: Table, w: Table) -> int:
     return FITS if free else NOWHERE
 
 
-def widest(places: Row, gf: Table, w: Table, front: Row, back: Row) -> float:
+def widest(places: Row, gf: Table, w: Table, room: Table) -> float:
     """Largest play over wave angles, rad; 0 if all press."""
-    at_most(places, gf, w, front, back)
+    at_most(places, gf, w, room)
+    front = room[0]
     most, first = 0.0, 0  # only positions whose bound exceeds the largest play are solved
     for k in range(len(places)):
         if front[k] > front[first]:
@@ -2150,8 +2151,8 @@ def widest(places: Row, gf: Table, w: Table, front: Row, back: Row) -> float:
     return most
 
 
-def at_most(places: Row, gf: Table, w: Table, front: Row, back: Row) -> None:
-    """Set upper bounds of the play, rad, where there is any, at wave angles: in ``front``."""
+def at_most(places: Row, gf: Table, w: Table, room: Table) -> None:
+    """Set upper bounds of the play, rad, where there is any, at wave angles: in ``room[0]``."""
     # With t the tangent of half the lag, a pair is free where ``a*t^2 + 2*v*t + q <= 0``; a
     # difference of lags is at most twice that of their t. For a lever v > 0 the free range ends at
     # ``t = -q/(v + s)``, ``s = sqrt(v^2 - a*q)``, no later than with s = v, as a parabola lies
@@ -2161,10 +2162,14 @@ def at_most(places: Row, gf: Table, w: Table, front: Row, back: Row) -> None:
     # begin to the first end, is no wider than between any begin and any end. `SURE` covers
     # rounding, which is 1e-12 of the terms.
     pins = len(w) // len(gf)
+    front, back, across, along = room[0], room[1], room[2], room[3]
     for k in range(len(places)):
         front[k] = back[k] = math.inf
     for j in range(len(gf)):
         arm = 2 * gf[j, ECC]
+        for k in range(len(places)):
+            angle = places[k] + gf[j, PHASE]
+            across[k], along[k] = -arm * math.cos(angle), arm * math.sin(angle)
         for i in range(j * pins, (j + 1) * pins):
             x, y, ex, ey = w[i, RX], w[i, RY], w[i, OX], w[i, OY]
             reach, open_by = math.sqrt(x * x + y * y), -w[i, K0]
@@ -2174,13 +2179,14 @@ def at_most(places: Row, gf: Table, w: Table, front: Row, back: Row) -> None:
             half = 0.5 / max(math.sqrt(longest * longest + m), TINY)
             c, d = max(m * half, TINY), 0.5 + longest * half
             least, q0 = NEAR * longest * d, SURE * w[i, SIZE] - w[i, K0]
+            x, y, k2 = d * x, d * y, d * w[i, K2]
             for k in range(len(places)):
-                angle = places[k] + gf[j, PHASE]
-                wx, wy = -arm * math.cos(angle), arm * math.sin(angle)
-                v = d * (wx * y - wy * x + w[i, K2])
-                end = (q0 - wx * ex - wy * ey) / (c + abs(v))
-                front[k] = min(front[k], end if v > least else math.inf)
-                back[k] = min(back[k], end if v < -least else math.inf)
+                wx, wy = across[k], along[k]
+                v = wx * y - wy * x + k2
+                if v > least:
+                    front[k] = min(front[k], (q0 - wx * ex - wy * ey) / (c + v))
+                elif v < -least:
+                    back[k] = min(back[k], (q0 - wx * ex - wy * ey) / (c - v))
     for k in range(len(places)):
         end, begin = front[k], back[k]
         front[k] = end + begin + SURE * (abs(end) + abs(begin))
@@ -2197,9 +2203,7 @@ def piece(
     cf: Table,
     table: Row,
     w: Table,
-    front: Row,
-    back: Row,
-    found: Row,
+    room: Table,
     row: Row,
 ) -> int:
     """Set the quantities of a piece; return FITS, BINDS or NOWHERE, less 3 if it cannot work."""
@@ -2207,12 +2211,12 @@ def piece(
     fits = fitting(gf, w)
     if fits != FITS:
         return fits
-    way, size = math.copysign(1.0, torque), abs(torque)
+    way, size, found = math.copysign(1.0, torque), abs(torque), room[4]
     least, most, stiffness = math.inf, -math.inf, math.inf
     for k in range(6):
         row[k] = 0.0
     if not under_load:
-        row[BACKLASH] = widest(places, gf, w, front, back)
+        row[BACKLASH] = widest(places, gf, w, room)
     for k in range(len(places) if under_load or lost else 0):
         if under_load:
             if not carry(places[k], size, way, kind, gf, cf, table, w, found):
@@ -2249,7 +2253,7 @@ def pieces(
     fits: Row,
     rows: Table,
 ) -> None:
-    """Set the quantities of many pieces in ``rows``, NaN if one cannot work; room: three rows."""
+    """Set the quantities of many pieces in ``rows``, NaN if one cannot work; room: five rows."""
     for s in range(len(gf)):
         given = piece(
             places,
@@ -2262,9 +2266,7 @@ def pieces(
             cf[s],
             table,
             w,
-            room[0],
-            room[1],
-            room[2],
+            room,
             rows[s],
         )
         fits[s] = given if given >= 0 else given + 3

@@ -279,7 +279,7 @@ class Study:
         gf, cf = (each if sound.all() else each[sound] for each in (drives.gf, drives.cf))
         places, count = np.array(self.places(asked.positions)), len(gf)
         fits, rows = blank(count), blank((count, engine.SOFTEST + 1))
-        room = blank((cf.shape[1], engine.HARD + 1)), blank((3, max(len(places), 3)))
+        room = blank((cf.shape[1], engine.HARD + 1)), blank((5, max(len(places), 3)))
         wanted = self.under_load, "lost_motion" in asked.quantities
         law = int(drives.gi[0, engine.LAW])
         given = places, asked.output_torque, asked.lost_motion_share, *wanted, law
