@@ -15,8 +15,7 @@ def main() -> None:
     with running_service() as service, chromium.started() as browser:
         page = browser.new_page(viewport={"width": 1280, "height": 900}, locale="en-GB")
         page.goto(service.url)
-        page.locator(".js-plotly-plot").first.wait_for()
-        page.locator("#example").select_option("cycloid")
+        page.locator("#start [data-example=cycloid]").click()
         page.locator(".panel .js-plotly-plot").first.wait_for()
         page.wait_for_load_state("networkidle")
         taken = page.context.new_cdp_session(page).send(

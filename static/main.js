@@ -11,7 +11,6 @@
 import { CALCULATORS, calculatorOf } from "./calculators/index.js";
 import { createClient, newestOnly } from "./lib/api.js";
 import { createDesigns } from "./lib/designs.js";
-import { element, html } from "./lib/html.js";
 import { stateFromInput } from "./lib/form_state.js";
 import { formModel } from "./lib/schema_form.js";
 import { lasting, parsed, session } from "./lib/storage.js";
@@ -19,11 +18,13 @@ import { setDiameters, setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
 import { LANGUAGES, message, ownWords, setEnglish, useLanguage } from "./messages/index.js";
 import { englishOf, passingText } from "./service_texts.js";
+import { createBar } from "./views/bar.js";
 import { chosenTheme, createSettings, onSystemTheme, setTheme } from "./views/settings.js";
 import { createTabs } from "./views/tabs.js";
 import { openWorkbench } from "./workbench.js";
 
 const KEPT = "khv-calc.open";
+const MET = "khv-calc.met"; // that the sheet on which a design begins was seen
 const UNWRITTEN = "khv-calc.address";
 const WRITTEN = "khv-calc.written";
 const ADDRESS_MS = 300; // after the last change of the address
@@ -65,11 +66,14 @@ document.querySelector(".skip").textContent = message("page.skip");
 const panel = document.getElementById("panel");
 const live = document.getElementById("live");
 const kept = parsed(session.getItem(KEPT), {}); // queries of the calculators that were open, also over a reload
+const stranger = linked.size === 0 && Object.keys(kept).length === 0 && !lasting.getItem(MET);
 const asked = CALCULATORS.includes(linked.get("calculator")) ? linked.get("calculator") : CALCULATORS[0];
 if (linked.size > 0) kept[asked] = linked.toString();
 const designs = createDesigns(lasting);
 const opening = newestOnly();
 let bench = null; // the calculator at work
+let whole = false; // all of the page is there
+let opensExport = null;
 let telling = 0; // the timer of what is told
 let reopening = 0; // the timer after a calculator could not be opened
 let rebuild = () => {}; // it anew, from its address
@@ -78,6 +82,16 @@ let lengths = lengthsIn(linked) === "diameter" ? "diameter" : "radius"; // how r
 let quiet = false; // the browser itself has moved in its history
 let leaving = false; // another design is to come: Back leads to this one
 
+const bar = createBar({ naming: document.getElementById("naming"), tools: document.getElementById("tools"), idle: ["undo", "redo", "export", "help"], on: {
+  named: (text) => bench?.labelled("title", text),
+  new: () => bench?.start(),
+  undo: () => bench?.undo(),
+  redo: () => bench?.redo(),
+  compare: () => bench?.keep(),
+  share,
+  export: () => opensExport(),
+} });
+
 /** Writes the address: not while somebody types, as browsers take some ten milliseconds for it. */
 const addressing = {
   query: null,
@@ -85,6 +99,7 @@ const addressing = {
   soon(query) {
     clearTimeout(this.timer);
     this.query = query;
+    bar.saved(false);
     session.setItem(UNWRITTEN, JSON.stringify([location.search, query]));
     this.timer = setTimeout(() => this.now(), ADDRESS_MS);
   },
@@ -94,6 +109,7 @@ const addressing = {
     session.setItem(WRITTEN, JSON.stringify([location.search, this.query, Date.now()]));
     history[write](null, "", `?${this.query}`);
     this.query = null;
+    bar.saved(true);
     session.setItem(UNWRITTEN, "[]");
   },
 };
@@ -109,6 +125,17 @@ function tell(text) {
   say(text);
   live.classList.add("told");
   telling = setTimeout(() => live.classList.remove("told"), TOLD_MS);
+}
+
+/** The link to the design, to be pasted elsewhere; where the browser forbids that it is shown. */
+async function share() {
+  addressing.now();
+  try {
+    await navigator.clipboard.writeText(location.href);
+    tell(message("bar.shared"));
+  } catch {
+    prompt(message("bar.shareWhy"), location.href);
+  }
 }
 
 /** What a calculator needs to be at work. */
@@ -176,11 +203,13 @@ function build(id, { modelOf, ...parts }, history) {
         panel.querySelector('[data-choice="lengths"] input:checked').focus(); // the one that was chosen is made anew
       },
       whole() {
-        for (const button of [print, report]) button.disabled = false;
+        whole = true;
+        bar.tool("export").disabled = !opensExport;
       },
+      named: bar.name,
       history(canUndo, canRedo) {
-        undo.disabled = !canUndo;
-        redo.disabled = !canRedo;
+        bar.tool("undo").disabled = !canUndo;
+        bar.tool("redo").disabled = !canRedo;
       },
     },
   });
@@ -211,15 +240,6 @@ async function open(id) {
   }
 }
 
-function tool(sign, words, act) {
-  const button = element(html`
-    <button type="button" class="tool" aria-label="${words}" title="${words}" disabled>${sign}</button>`);
-  button.addEventListener("click", act);
-  return button;
-}
-
-const undo = tool("↶", message("page.undo"), () => bench?.undo());
-const redo = tool("↷", message("page.redo"), () => bench?.redo());
 document.addEventListener("keydown", (event) => {
   const alone = event.altKey && !event.ctrlKey && !event.metaKey;
   const acts = { KeyK: "keep", KeyL: "enlarge" };
@@ -242,6 +262,7 @@ const tabs = createTabs({ host: document.getElementById("tabs"), panel, ids: CAL
   },
 } });
 const settings = createSettings({
+  button: bar.tool("settings"),
   current: { theme: chosenTheme(), units, language },
   on: {
     theme(chosen) {
@@ -263,20 +284,7 @@ const settings = createSettings({
     },
   },
 });
-const keep = tool("+", message("compare.pin"), () => bench?.keep());
-keep.disabled = false;
-keep.setAttribute("aria-keyshortcuts", "Alt+K");
-const icon = (lines) => html`<svg class="icon" viewBox="0 0 16 16" aria-hidden="true">${lines}</svg>`;
-const print = tool(icon(html`<path d="M4.5 6V2.5h7V6M4.5 11.5h-2V6h11v5.5h-2M4.5 9.5h7v4h-7z"/>`), message("report.print"), () => bench?.print());
-const report = tool(icon(html`<path d="M3.5 2.5h6l3 3v8h-9zM9.5 2.5v3h3M8 6.5v4.5M6 9.3l2 2 2-2"/>`), message("report.save"), () => bench?.saveReport());
-print.classList.add("print");
-report.classList.add("save-report");
-const share = tool("⇩", message("share.title"));
-const keys = tool("?", message("keys.title"));
-for (const button of [share, keys]) button.setAttribute("aria-haspopup", "dialog");
-keys.setAttribute("aria-keyshortcuts", "?");
-document.getElementById("tools").append(undo, redo, keep, share, print, report, settings.button, keys);
-document.body.append(settings.sheet);
+document.body.append(settings);
 addEventListener("popstate", () => {
   const there = new URLSearchParams(location.search);
   const id = CALCULATORS.find((one) => one === there.get("calculator")) ?? CALCULATORS[0];
@@ -303,13 +311,19 @@ addEventListener("pageshow", ({ persisted }) => persisted && rebuild()); // back
 async function loadTools() {
   await bench?.begun.catch(() => {});
   try {
-    const [{ createShare }, { createKeys }] = await Promise.all([import("./views/share.js"), import("./views/keys.js")]);
-    createShare({ button: share, exchange: () => bench?.exchange() ?? null, say });
-    createKeys({ button: keys, about: () => bench?.help() ?? null });
-    for (const button of [share, keys]) button.disabled = false;
+    const [{ createExport }, { createKeys }] = await Promise.all([import("./views/export.js"), import("./views/keys.js")]);
+    opensExport = createExport({
+      exchange: () => bench?.exchange() ?? null, labels: () => bench.labels(), say,
+      on: { print: () => bench?.print(), report: () => bench?.saveReport(), labelled: (...label) => bench?.labelled(...label) },
+    });
+    createKeys({ button: bar.tool("help"), about: () => bench?.help() ?? null });
+    bar.tool("help").disabled = false;
+    bar.tool("export").disabled = !whole;
   } catch {
     setTimeout(loadTools, AGAIN_MS);
   }
 }
 
-open(asked).then(loadTools);
+await open(asked);
+if (stranger) bench?.start().then(() => lasting.setItem(MET, "yes"));
+loadTools();

@@ -9,17 +9,15 @@ import { MOST } from "./lib/designs.js";
 import { element, html } from "./lib/html.js";
 import { shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/form_state.js";
 import { entryOf, optionsOf } from "./lib/schema_form.js";
-import { lasting } from "./lib/storage.js";
+import { lasting, parsed } from "./lib/storage.js";
 import { LABELS, query, withVerdict } from "./lib/url_state.js";
-import { message, quantityTitle, symbolOf } from "./messages/index.js";
+import { message, quantityTitle, said, symbolOf } from "./messages/index.js";
 import { neglectedIn, problemText } from "./service_texts.js";
 import * as next from "./store.js";
 import { createChecks } from "./views/checks.js";
 import { createDrawingView } from "./views/drawing.js";
-import { createExamples } from "./views/examples.js";
 import { createExplanation } from "./views/explanation.js";
 import { createFigure } from "./views/figure.js";
-import { madeWhenOpened } from "./views/fold.js";
 import { createForm } from "./views/form.js";
 import { createNotice } from "./views/notice.js";
 import { createPanels } from "./views/panels.js";
@@ -53,7 +51,7 @@ function lightEachOther(form, drawing) {
 /**
  * `modelFor(form)` is a further form; `typed` is the state of the form to begin with, `claim` what its link said besides (lib/url_state.js), `history` that
  * of a design which it follows. `on.left()` tells that another design is to come, `on.cleared(query, history)` that an
- * empty one is, `on.address(query)`, `on.history(canUndo, canRedo)`, `on.whole()` that all of the page is there, `on.say(text)` and `on.tell(text)`, which all see,
+ * empty one is, `on.named(title, usual, why)` what it is called, `on.address(query)`, `on.history(canUndo, canRedo)`, `on.whole()` that all of the page is there, `on.say(text)` and `on.tell(text)`, which all see,
  * tell the page around it.
  */
 export function openWorkbench({ host, calculator, model, modelFor, client, examples, catalogues, designs, version, calculation, calculations, typed, claim, history, lengths, on }) {
@@ -93,19 +91,22 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     on.left();
     changeAtOnce(next.taken, typed, claim);
   }
-  const picker = createExamples({
-    examples,
-    labels: LABELS,
-    queries: examples.map(({ input }) => query(calculator.id, model, stateOf(input))),
-    on: {
-      picked: ({ input }) => take(stateOf(input)),
-      cleared: () => on.cleared(query(calculator.id, model, stateOf(calculator.blank ?? {})), store.state.history),
-      labelled: (label, text) => {
-        store.apply(next.labelled, label, text, Date.now());
-        store.apply(next.addressed);
-      },
-    },
-  });
+  const queries = examples.map(({ input }) => query(calculator.id, model, stateOf(input)));
+  /** A design that somebody brings: a link, a request or a file of some, designs that were kept; whether it was one. */
+  function brought(text) {
+    const link = /^\S*\?(\S+)$/.exec(text)?.[1];
+    if (link) location.search = link;
+    const count = !link && designs.imported(text);
+    const [kept] = count ? designs.of(calculator.id).slice(-1) : [];
+    const { requests = [], ...single } = parsed(text, {});
+    const { body = single } = requests.find(({ path }) => path?.endsWith(calculator.path)) ?? {};
+    if (count) on.tell(message("compare.imported", { count }));
+    if (count) asking.compare();
+    if (kept) take(stateOf(kept.input, kept.labels), { verdict: kept.verdict });
+    const ours = !count && Object.keys(body).some((name) => [...model.fields.keys()].some((path) => path.split(".")[0] === name));
+    if (ours) take(stateOf(calculator.inputOf?.(body) ?? body));
+    return Boolean(link || count || ours);
+  }
   const form = createForm({
     model,
     calculator,
@@ -137,13 +138,26 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       },
     },
   });
-  /** Designs from a requirement, loaded when that is opened. */
-  function addProposals() {
-    const place = element(html`<details class="card fold requirement"><summary>${message("propose.title")}</summary></details>`);
-    inputs.append(place);
-    return madeWhenOpened(place, "propose", async () => {
-      const [logic, { createProposals }] = await calculator.propose();
-      return createProposals({ logic, client, titles, modelOf: modelFor, on: { opened: (design) => take(stateOf(calculator.inputOf(design))) } });
+  let closeStart = null;
+  /** The sheet on which a design begins. */
+  async function start() {
+    const [{ openStart }, [logic, finding] = []] = await Promise.all([import("./views/start.js"), calculator.propose?.()]);
+    if (listening.signal.aborted || document.querySelector("dialog[open]")) return;
+    closeStart = openStart({
+      examples,
+      at: examples[queries.indexOf(store.state.address)]?.id,
+      pictureOf: logic?.pictureOf,
+      proposals: logic && finding.createProposals({ logic, client, titles, modelOf: modelFor, on: {
+        opened(design) {
+          closeStart();
+          take(stateOf(calculator.inputOf(design)));
+        },
+      } }),
+      on: {
+        picked: ({ input }) => take(stateOf(input)),
+        cleared: () => on.cleared(query(calculator.id, model, stateOf(calculator.blank ?? {})), store.state.history),
+        brought,
+      },
     });
   }
   const apply = (sets) => changeAtOnce(next.applied, sets);
@@ -222,8 +236,6 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
   const explanation = createExplanation({ calculator, materialOf });
   const notice = createNotice({ calculator, on: { closed: () => store.apply(next.unclaimed) } });
   const inputs = element(html`<div class="inputs"></div>`);
-  inputs.append(notice.root, picker.root);
-  const closeProposals = calculator.propose && addProposals();
   const search = createSearch({
     model,
     all: lasting.getItem(UNFOLDED) === "all",
@@ -237,7 +249,7 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       },
     },
   });
-  inputs.append(search.root, form.root);
+  inputs.append(notice.root, search.root, form.root);
   const outputs = element(html`<div class="outputs" id="results" data-calculator="${calculator.id}" tabindex="-1"></div>`);
   const right = element(html`<div class="right"><div class="answer"></div></div>`);
   right.prepend(verdict.root);
@@ -261,7 +273,6 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
   const retheme = (theme = currentTheme()) => store.apply(next.themed, theme);
   store.show([
     notice,
-    picker,
     form,
     verdict, numbers, checks, explanation, drawing, ...figures,
     {
@@ -274,8 +285,9 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       },
     },
     following(({ history: { past, future } }) => [past.length > 0, future.length > 0], on.history),
-    following(({ typed }) => [typed.texts.title ?? ""], (title) => {
+    following(({ typed, address }) => [typed.texts.title ?? "", examples[queries.indexOf(address)]], (title, example) => {
       document.title = [title, message(`calculator.${calculator.id}`), "KHV Calc"].filter(Boolean).join(" · ");
+      on.named(title, example ? said("examples", example.id) : message("bar.unnamed"), example ? message("start.source", example) : "");
     }),
     following(({ said }) => [said], on.say),
     following((state) => [state.address, next.verdictOf(state)], (address, verdict) => address && on.address(withVerdict(address, verdict))),
@@ -304,6 +316,12 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
   return {
     /** When the first figures are drawn. */
     begun: drawn,
+    start,
+    labels: () => LABELS.slice(1).map((label) => [label, store.state.typed.texts[label] ?? ""]),
+    labelled(label, text) {
+      store.apply(next.labelled, label, text, Date.now());
+      store.apply(next.addressed);
+    },
     /** To the first box. */
     begin: () => lead(shownFields(model, store.state.typed)[0].path),
     retheme: () => retheme(),
@@ -345,7 +363,7 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       listening.abort();
       drawing.close();
       panels.close();
-      closeProposals?.();
+      closeStart?.();
       rest?.close();
       for (const figure of figures) figure.close();
       on.address(withVerdict(query(calculator.id, model, store.state.typed), next.verdictOf(store.state)));

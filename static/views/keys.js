@@ -8,7 +8,7 @@ export function createKeys({ button, about }) {
   const rows = ["apply", "step", "undo", "keep", "enlarge", "print", "tabs", "help"].map((key) => message(`keys.${key}`));
   const dialog = createDialog({
     id: "keys",
-    title: message("keys.title"),
+    title: message("bar.help"),
     content: html`<dl>${rows.map(({ keys, does }) => html`<div><dt><kbd>${keys}</kbd></dt><dd>${does}</dd></div>`)}</dl><div class="about"></div>`,
   });
   const host = dialog.querySelector(".about");

@@ -1,4 +1,4 @@
-/** From a requirement to designs: a form of its own and a plain list of what is found, each opened as an example is. */
+/** From a requirement to designs: a form of its own, and what is found as cards, each opened as an example is. */
 import { createBeside } from "../besides.js";
 import { newestOnly } from "../lib/api.js";
 import { levelOfWord, titleOf, wordText } from "../lib/checks.js";
@@ -23,23 +23,29 @@ const digitsOf = (unit) => (unit === "mm" ? 4 : 3);
 /** The word on it: pieces whose ring pins press too hard make it marginal. */
 const wordOf = ({ verdict, columns }) => (verdict === "pass" && columns.ring_utilisation > 1 ? "marginal" : verdict);
 
-function proposalMarkup({ verdict, columns }, name) {
-  const word = wordOf({ verdict, columns });
-  const cells = Object.entries(columns).map(([column, value]) =>
-    [quantityTitle(column, ID), formatQuantity(value, unitOf(column), digitsOf(unitOf(column)))]);
-  return html`<div class="proposal-head"><h3>${name}</h3>
-      <button type="button" class="toggle" aria-label="${message("compare.openWhat", { name })}">${message("compare.open")}</button></div>
-    <dl><div><dt>${message("verdict.label")}</dt><dd>${sign(levelOfWord(word))}${wordText({ verdict: word, parts: [] })}</dd></div>${cells.map(([title, value]) => html`
-      <div><dt>${title}</dt><dd>${value}</dd></div>`)}</dl>`;
+/** What tells designs apart: of plastic the torque at which it yields stands for the largest one. */
+function cellsOf({ columns }) {
+  const torque = "yield_torque_Nm" in columns ? "yield_torque_Nm" : "largest_torque_Nm";
+  const shown = ["outer_diameter_mm", "length_mm", "mass_kg", torque, "backlash_arcmin", "efficiency"];
+  return shown.filter((column) => column in columns).map((column) =>
+    [quantityTitle(column, ID), formatQuantity(columns[column], unitOf(column), digitsOf(unitOf(column)))]);
+}
+
+function proposalMarkup(one, { nameOf, pictureOf }) {
+  const [word, name] = [wordOf(one), nameOf(one.design)];
+  return html`${pictureOf(one.design)}<div><h3>${name}</h3>
+      <p class="word ${levelOfWord(word)}">${sign(levelOfWord(word))}${wordText({ verdict: word, parts: [] })}</p>
+      <button type="button" class="primary" aria-label="${message("compare.openWhat", { name })}">${message("compare.open")}</button></div>
+    <dl>${cellsOf(one).map(([title, value]) => html`<div><dt>${title}</dt><dd>${value}</dd></div>`)}</dl>`;
 }
 
 /** Why none holds: which checks reject how many designs, and the design that comes nearest with what it lacks. */
-function noneMarkup({ tally, nearest }, nameOf) {
+function noneMarkup({ tally, nearest }, logic) {
   return html`<table class="data"><caption>${message("propose.why")}</caption><thead><tr>
       <td></td><th scope="col">${message("propose.failed")}</th><th scope="col">${message("propose.onlyThis")}</th></tr></thead>
     <tbody>${tally.map(({ code, failed, only_this: only }) => html`<tr><th scope="row">${titleOf({ code })}</th><td>${formatNumber(failed)}</td><td>${formatNumber(only)}</td></tr>`)}</tbody></table>
     ${nearest && html`<h3 class="nearest">${message("propose.nearest")}</h3>
-      <div class="proposal" data-at="nearest">${proposalMarkup(nearest, nameOf(nearest.design))}
+      <div class="proposal" data-at="nearest">${proposalMarkup(nearest, logic)}
         <p class="note">${message("propose.lacks")}</p>
         <ul class="lacks">${nearest.lacks.map(({ code, asked_over_reached: ratio }) => html`<li>${titleOf({ code })}${ratio !== undefined && html` <b>× ${formatNumber(ratio, 3)}</b>`}</li>`)}</ul></div>`}`;
 }
@@ -80,7 +86,7 @@ export function createProposals({ logic, client, titles, modelOf, on }) {
   }
 
   const form = createForm({
-    model, calculator: logic.FORM, catalogues: {}, unfolded: true, label: message("propose.title"),
+    model, calculator: logic.FORM, catalogues: {}, unfolded: true, label: message("start.need"),
     on: {
       typed: (path, text) => change(next.typedIn, path, text),
       step(path, direction, factor) {
@@ -98,10 +104,11 @@ export function createProposals({ logic, client, titles, modelOf, on }) {
   });
   const root = element(html`<div class="propose"><div class="found"><ol class="proposals" aria-label="${message("propose.list")}"></ol><div class="none"></div></div></div>`);
   const [list, none] = root.firstElementChild.children;
+  form.root.querySelector("[data-group=more] details").open = false;
   root.prepend(form.root, run.root);
 
   root.addEventListener("click", async ({ target }) => {
-    const at = target.closest("button") && target.closest("[data-at]")?.dataset.at;
+    const at = target.closest("[data-at]")?.dataset.at;
     if (at === undefined || at === null) return;
     const { found, answer } = store.state.besides[ID];
     const { design } = at === "nearest" ? answer.nearest : found[at];
@@ -113,7 +120,7 @@ export function createProposals({ logic, client, titles, modelOf, on }) {
   const listed = next.following(({ found = [] }) => [found], ({ found = [] }) => {
     if (found.length < list.children.length || found.length === 0) list.replaceChildren();
     for (const [i, one] of [...found.entries()].slice(list.children.length)) {
-      list.append(element(html`<li class="proposal" data-at="${i}">${proposalMarkup(one, logic.nameOf(one.design))}</li>`));
+      list.append(element(html`<li class="proposal" data-at="${i}">${proposalMarkup(one, logic)}</li>`));
     }
   });
 
@@ -124,7 +131,7 @@ export function createProposals({ logic, client, titles, modelOf, on }) {
     if (phase) root.dataset.begun = "true"; // from then on the list has its room
     run.update(now, [standing(now), older && message("besides.older")].filter(Boolean).join(" "));
     listed(now);
-    fill(none, phase === "fresh" && found.length === 0 ? noneMarkup(answer, logic.nameOf) : html``);
+    fill(none, phase === "fresh" && found.length === 0 ? noneMarkup(answer, logic) : html``);
   }
 
   store.show([form, { update }]);

@@ -32,19 +32,17 @@ function choice(name, options, current) {
       html`<option value="${id}" ${id === current && html`selected`}>${title}</option>`)}</select>`;
 }
 
-/** `current` and `on` by name: the choice in force, and what to do with a new one. */
-export function createSettings({ current, on }) {
+/** The sheet that `button` opens; `current` and `on` by name: the choice in force, and what to do with a new one. */
+export function createSettings({ button, current, on }) {
   const themes = message("theme");
   const units = Object.fromEntries(SYSTEMS.map((id) => [id, message(`units.${id}`)]));
-  const button = element(html`
-    <button type="button" class="tool" popovertarget="settings" aria-label="${message("settings.title")}"
-      title="${message("settings.title")}">⚙</button>`);
   const sheet = element(html`
-    <div id="settings" class="card" popover role="dialog" aria-label="${message("settings.title")}">
+    <div id="settings" class="card" popover role="dialog" aria-label="${message("bar.settings")}">
       ${choice("theme", themes, current.theme)}
       ${choice("units", units, current.units)}
       ${choice("language", LANGUAGES, current.language)}
     </div>`);
   sheet.addEventListener("change", ({ target }) => on[target.id](target.value));
-  return { button, sheet };
+  button.setAttribute("popovertarget", sheet.id);
+  return sheet;
 }

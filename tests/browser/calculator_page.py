@@ -92,11 +92,35 @@ def saved(page: Page, button: Locator) -> Path:
     return Path(download.value.path())
 
 
+def exported(page: Page, what: str) -> Path:
+    """A file of the sheet of exports, which is closed again."""
+    page.locator('[data-tool="export"]').click()
+    path = saved(page, page.locator(f"#export [data-do={what}]"))
+    page.keyboard.press("Escape")
+    return path
+
+
 def chosen(page: Page, setting: str, value: str) -> None:
     """Choose a setting and close the sheet."""
     page.get_by_role("button", name="Settings").click()
     page.locator(f"#{setting}").select_option(value)
     page.keyboard.press("Escape")
+
+
+def begun(page: Page, what: str) -> None:
+    """Choose something on the sheet on which designs begin, by its selector."""
+    page.locator('[data-tool="new"]').click()
+    page.locator(f"#start {what}").click()
+
+
+def picked(page: Page, example: str) -> None:
+    """Open an example by its id."""
+    begun(page, f'[data-example="{example}"]')
+
+
+def emptied(page: Page) -> None:
+    """Open an empty form."""
+    begun(page, '[data-do="cleared"]')
 
 
 def words_at(page: Page, path: str) -> Locator:
@@ -152,7 +176,7 @@ COMMON = re.compile(
     r"|[A-Za-z]{1,3}|[A-Z]+\d\S*|\d+Cr\w+|CuS\w+|CuA\w+|CuZ\w+|CuSn\S+)\b"
 )
 TEXTS = """() => {
-  const same = "script, style, pre, var, kbd, cite[lang=en], #example-source, noscript, dialog";
+  const same = "script, style, pre, var, kbd, cite[lang=en], noscript, dialog";
   const seen = [];
   const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   while (walk.nextNode()) {
@@ -161,7 +185,8 @@ TEXTS = """() => {
       seen.push(walk.currentNode.data);
   }
   for (const each of document.querySelectorAll("[aria-label], [title]"))
-    seen.push(each.getAttribute("aria-label") ?? "", each.getAttribute("title") ?? "");
+    seen.push(each.getAttribute("aria-label") ?? "",
+      each.matches("[data-label]") ? "" : each.getAttribute("title") ?? "");
   for (const each of document.querySelectorAll("option")) seen.push(each.textContent);
   return seen;
 }"""

@@ -7,7 +7,7 @@ import pytest
 from axe_playwright_python.base import AXE_SCRIPT
 from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.calculator_page import box, settled, show, tab
+from tests.browser.calculator_page import box, emptied, picked, settled, show, tab
 from tests.browser.conftest import UNFOLDED
 
 CALCULATORS = {
@@ -113,7 +113,7 @@ def test_axe_finds_nothing(open_page: Page, service: str, calculator: str) -> No
     figure = page.locator(".panel > .figure").first
     tab(page, figure.get_attribute("data-figure") or "").click()
     expect(page.locator(".js-plotly-plot").first).to_be_attached()
-    page.get_by_role("button", name="Keep this design").click()
+    page.get_by_role("button", name="Compare").click()
     expect(page.get_by_label("Name of design A")).to_be_attached()
     assert violations(page) == []
     box(page, CALCULATORS[calculator]).fill("x")
@@ -126,7 +126,7 @@ def test_axe_finds_nothing(open_page: Page, service: str, calculator: str) -> No
 def test_axe_finds_nothing_in_what_opens(open_page: Page, service: str) -> None:
     page = open_page
     show(page, service, "crank-planetary")
-    for name in ("Settings", "Take along", "Help"):
+    for name in ("Settings", "New", "Export", "Help"):
         page.get_by_role("button", name=name).click()
         assert violations(page, OPENED) == [], name
         page.keyboard.press("Escape")
@@ -145,7 +145,7 @@ def test_axe_finds_nothing_in_any_other_state(open_page: Page, service: str) -> 
     box(page, "contact.hole_material").select_option("plastic_pom")
     settled(page)
     assert violations(page, ".answer", ".inputs") == [], "a limit is not known"
-    page.get_by_role("button", name="New", exact=True).click()
+    emptied(page)
     settled(page, "incomplete")
     assert violations(page, ".answer", ".inputs", ".shown") == [], "incomplete"
     page.goto(f"{service}/?v=1&foo=1&mechanism.pins=50&mechanism.ratio=20")
@@ -174,7 +174,7 @@ def test_a_name_that_is_spoken_holds_what_is_seen(
     page = open_page
     page.goto(f"{service}/?calculator=crank-planetary&lang={language}")
     settled(page)
-    page.locator("#example").select_option("cycloid")
+    picked(page, "cycloid")
     expect(page.locator(".suggest").last).to_contain_text("rin + e + c")
     assert page.evaluate(SEEN_AND_SAID) == []
 

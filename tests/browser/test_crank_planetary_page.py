@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import Error, Locator, Page, Route, expect
 
 from core.precision import JUDGED
-from tests.browser.calculator_page import address, asks_results, tab
+from tests.browser.calculator_page import address, asks_results, emptied, picked, tab
 
 ZYL = {
     "mechanism.pins": "6",
@@ -101,6 +101,7 @@ def change(page: Page, action: Callable[[], object]) -> None:
 
 def test_opens_with_a_computed_example(page: Page, service: str) -> None:
     show(page, service)
+    naming = page.get_by_label("Name of the design")
     first = httpx.get(f"{service}/api/v1/examples", trust_env=False).json()["examples"][0]
     body = first["input"] | {"include": ["cyclogram", "contact_force", "hertz"]}
     answer = httpx.post(f"{service}/api/v1/crank-planetary", json=body, trust_env=False).json()
@@ -109,7 +110,7 @@ def test_opens_with_a_computed_example(page: Page, service: str) -> None:
     assert result(page, "max_pressure_MPa") == pytest.approx(
         answer["hertz"]["max_pressure_MPa"], rel=JUDGED
     )
-    expect(page.locator("#example")).to_have_value(first["id"])
+    expect(naming).to_have_attribute("placeholder", first["title"])
     pairs = first["input"]["mechanism"]["pins"] * first["input"]["mechanism"]["satellites"]
     expect(page.locator('[data-figure="force"] .scatterlayer .js-line')).to_have_count(pairs + 1)
     tab(page, "cyclogram").click()
@@ -224,7 +225,7 @@ def test_nothing_is_called_safe_whose_limit_is_not_known(page: Page, service: st
 
 def test_what_cannot_be_built_is_red_with_the_reason(page: Page, service: str) -> None:
     show(page, service, FITTED)
-    page.get_by_role("button", name="Keep this design").click()
+    page.get_by_role("button", name="Compare").click()
     for path, text, code in (
         ("contact.hole_radius_mm", "6.47", "interference"),
         ("mechanism.pins", "18", "wall_holes"),
@@ -294,8 +295,8 @@ def test_radii_are_typed_as_diameters_where_chosen(page: Page, service: str) -> 
 def test_a_design_of_ones_own_from_an_empty_form(page: Page, service: str) -> None:
     """New clears and asks, with no number of the design before; Undo and Back lead to that."""
     show(page, service, ZYL)
-    page.get_by_role("button", name="Keep").click()
-    page.get_by_role("button", name="New").click()
+    page.get_by_role("button", name="Compare").click()
+    emptied(page)
     settled(page, "incomplete")
     expect(box(page, "mechanism.pins")).not_to_have_value("6")
     for figures in page.locator(".summary .figures").all():
@@ -312,7 +313,7 @@ def test_a_design_of_ones_own_from_an_empty_form(page: Page, service: str) -> No
     page.get_by_role("button", name="Undo").click()
     settled(page)
     expect(box(page, "mechanism.pins")).to_have_value("6")
-    page.get_by_role("button", name="New").click()
+    emptied(page)
     settled(page, "incomplete")
     page.go_back()
     settled(page)
@@ -326,7 +327,7 @@ def test_what_is_typed_on_a_phone_keeps_its_place_while_it_computes(
     page.set_viewport_size({"width": 390, "height": 844})
     show(page, service)
     page.locator('.places [data-place="inputs"]').click()
-    page.get_by_role("button", name="New").click()
+    emptied(page)
     settled(page, "incomplete")
     for path, text in ZYL.items():
         if path not in ("contact.contact_length_mm", "load.force_exponent"):
@@ -370,7 +371,7 @@ def test_a_verdict_that_has_moved_is_said(page: Page, service: str) -> None:
     expect(notice).to_be_hidden()
     page.goto(link.replace("verdict=incomplete", "verdict=fail"))
     expect(notice).to_contain_text("the verdict was “Fails”; it is now “Incomplete”")
-    page.get_by_role("button", name="Keep this design").click()
+    page.get_by_role("button", name="Compare").click()
     page.evaluate(
         "() => { const kept = JSON.parse(localStorage['khv-calc.designs']);"
         " kept[0].verdict = 'fail';"
@@ -433,9 +434,9 @@ def test_two_tabs_share_what_is_kept(page: Page, service: str) -> None:
     show(page, service, ZYL)
     other = page.context.new_page()
     show(other, service, ZYL | {"mechanism.pins": "7"})
-    page.get_by_role("button", name="Keep this design").click()
+    page.get_by_role("button", name="Compare").click()
     expect(other.locator(".compare thead input")).to_have_count(1)
-    other.get_by_role("button", name="Keep this design").click()
+    other.get_by_role("button", name="Compare").click()
     expect(page.locator(".compare thead input")).to_have_count(2)
     other.close()
 
@@ -444,11 +445,13 @@ def test_an_example_picked_fills_the_form(page: Page, service: str) -> None:
     show(page, service)
     examples = httpx.get(f"{service}/api/v1/examples", trust_env=False).json()["examples"]
     zyl = next(one for one in examples if "888" in one["title"])
-    change(page, lambda: page.locator("#example").select_option(zyl["id"]))
+    change(page, lambda: picked(page, zyl["id"]))
     expect(box(page, "mechanism.pins")).to_have_value("6")
-    expect(page.locator("#example-source")).to_contain_text("Zyl")
+    naming = page.get_by_label("Name of the design")
+    expect(naming).to_have_attribute("placeholder", zyl["title"])
+    expect(naming).to_have_attribute("title", f"Source: {zyl['source']}")
     change(page, lambda: box(page, "mechanism.pins").fill("7"))
-    expect(page.locator("#example")).to_have_value("")
+    expect(naming).to_have_attribute("placeholder", "Unnamed design")
 
 
 def test_a_whole_reducer_picked_shows_all_its_sections(page: Page, service: str) -> None:
@@ -467,13 +470,13 @@ def test_a_whole_reducer_picked_shows_all_its_sections(page: Page, service: str)
             and "crankshaft" in response.request.post_data_json["include"]
         )
     ) as caught:
-        change(page, lambda: page.locator("#example").select_option("whole"))
+        change(page, lambda: picked(page, "whole"))
     answer = caught.value.json()
     assert answer["checks"] == wanted["checks"]
     assert answer["verdict"] == wanted["verdict"] == "incomplete"  # the teeth are open
     for group in ("strength", "losses", "bearings", "crank"):
         expect(tab(page, group)).to_be_visible()
-    expect(page.locator("#example")).to_have_value("whole")
+    expect(page.get_by_label("Name of the design")).to_have_attribute("placeholder", whole["title"])
 
 
 def test_the_address_reopened_gives_the_same_numbers(page: Page, service: str) -> None:

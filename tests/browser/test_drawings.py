@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 import pytest
 from playwright.sync_api import Browser, Page, Route, expect
 
-from tests.browser.calculator_page import ask, box, first_example, settled, show, tab
+from tests.browser.calculator_page import ask, box, first_example, picked, settled, show, tab
 
 FORCES = {
     "mechanism.pins": "6",
@@ -179,7 +179,7 @@ def test_of_a_loose_mechanism_all_shows_the_forces_that_are_solved(
     charts = [path for path in watch.paths() if path.endswith("/chart")]
     assert charts.count("/api/v1/crank-planetary/chart") == 2
     # Kept and tightened: each design by its own model.
-    page.get_by_role("button", name="Keep this design").click()
+    page.get_by_role("button", name="Compare").click()
     tab(page, "force").click()
     box(page, "contact.hole_clearance_mm").fill("0.04")
     settled(page)
@@ -484,7 +484,7 @@ def test_what_is_drawn_of_older_inputs_says_so(page: Page, service: str) -> None
     page.unroute("**/crank-planetary/chart*")
     expect(marks.filter(visible=True)).to_have_count(0)
     # A figure that is refused leaves the drawing without its forces.
-    page.locator("#example").select_option("cycloid")
+    picked(page, "cycloid")
     settled(page)
     expect(marks.filter(visible=True)).to_have_count(0)
     box(page, "mechanism.satellites").fill("40")

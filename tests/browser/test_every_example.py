@@ -14,7 +14,16 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from core.precision import AS_TYPED
-from tests.browser.calculator_page import number, printed, saved, settled, show, text_of
+from tests.browser.calculator_page import (
+    exported,
+    number,
+    picked,
+    printed,
+    saved,
+    settled,
+    show,
+    text_of,
+)
 
 CALCULATIONS = {
     "crank-planetary": "crank-planetary",
@@ -103,7 +112,7 @@ def test_every_example_is_taken_along_whole(
     for example in found:
         if example["calculation"] != CALCULATIONS[calculator]:
             continue
-        page.locator("#example").select_option(example["id"])
+        picked(page, example["id"])
         settled(page)
         expect(page.locator(".outputs [data-stale=true]:visible")).to_have_count(0)
         given = given_by(example)
@@ -115,13 +124,13 @@ def test_every_example_is_taken_along_whole(
 
 def the_numbers_are_taken_along(page: Page, name: str, given: dict[str, Any]) -> list[str]:
     """JSON, CSV and, of teeth, DXF; the codes of all checks that were answered."""
-    page.get_by_role("button", name="Take along").click()
-    requests = json.loads(saved(page, page.locator("[data-file=json]")).read_text())["requests"]
+    page.get_by_role("button", name="Export").click()
+    requests = json.loads(saved(page, page.locator("[data-do=json]")).read_text())["requests"]
     asked = dict(leaves(requests[-1]["body"]))
     assert {path: asked.get(path) for path in given} == given, name
     codes = [check["code"] for one in requests for check in one["answer"].get("checks", [])]
 
-    text = saved(page, page.locator("[data-file=csv]")).read_text()
+    text = saved(page, page.locator("[data-do=csv]")).read_text()
     head, *rows = csv.reader(io.StringIO(text))
     assert head == ["section", "name", "value", "unit"], name
     assert {len(row) for row in rows} == {4}, name
@@ -133,7 +142,7 @@ def the_numbers_are_taken_along(page: Page, name: str, given: dict[str, Any]) ->
     judged = [row[1].removesuffix(".status") for row in rows if row[1].endswith(".status")]
     assert judged == codes and codes, name
 
-    drawings = page.locator("[data-file=dxf]")
+    drawings = page.locator("[data-do=dxf]")
     assert drawings.count() == (name in WITH_OUTLINES), name
     if drawings.count():
         with zipfile.ZipFile(saved(page, drawings)) as pieces:
@@ -149,7 +158,7 @@ def the_numbers_are_taken_along(page: Page, name: str, given: dict[str, Any]) ->
 def the_saved_report_has_them(
     page: Page, reader: Page, name: str, given: dict[str, Any], codes: list[str]
 ) -> None:
-    reader.set_content(saved(page, page.locator(".tool.save-report")).read_text())
+    reader.set_content(exported(page, "report").read_text())
     rows = reader.evaluate(GIVEN)
     listed = reader.locator(".given .data td").all_text_contents()
     for path, value in given.items():

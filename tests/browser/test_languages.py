@@ -5,7 +5,15 @@ import re
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.calculator_page import TEXTS, box, figures_drawn, foreign, settled, show
+from tests.browser.calculator_page import (
+    TEXTS,
+    box,
+    figures_drawn,
+    foreign,
+    picked,
+    settled,
+    show,
+)
 from tests.running_service import eventually
 
 CALCULATORS = {
@@ -61,7 +69,7 @@ CHAPTERS = re.compile(
 def test_every_decimal_fraction_has_a_comma(page: Page, service: str, language: str) -> None:
     page.goto(f"{service}/?calculator=crank-planetary&lang={language}")
     settled(page)
-    page.locator("#example").select_option("printed-15-to-1")
+    picked(page, "printed-15-to-1")
     settled(page)
     box(page, "contact.hole_material").select_option("plastic_pla_printed")
     settled(page)

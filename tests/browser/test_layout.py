@@ -5,15 +5,15 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, Locator, Page, Request, expect
 
-from tests.browser.calculator_page import address, opened, settled
-from tests.browser.conftest import WATCH_SCRIPT
+from tests.browser.calculator_page import address, opened, picked, settled
+from tests.browser.conftest import MET, WATCH_SCRIPT
 
 
 @pytest.fixture
 def newcomer(browser: Browser) -> Iterator[Page]:
-    """A page of somebody who has never been here."""
+    """A page of somebody who has closed the sheet on which designs begin, and done nothing else."""
     context = browser.new_context(viewport={"width": 1440, "height": 900})
-    context.add_init_script(WATCH_SCRIPT)
+    context.add_init_script(f"{WATCH_SCRIPT}; {MET}")
     yield context.new_page()
     context.close()
 
@@ -40,8 +40,7 @@ def test_the_page_is_as_high_as_the_screen(
     settled(newcomer)
     assert not scrolls(newcomer)
     assert newcomer.evaluate("() => watched.shift") < 0.001
-    newcomer.locator("#example").evaluate("one => (one.value = 'cycloid')")
-    newcomer.locator("#example").dispatch_event("change")
+    picked(newcomer, "cycloid")
     settled(newcomer)
     assert not scrolls(newcomer)
     right = newcomer.locator(".right").bounding_box()

@@ -10,9 +10,9 @@ from pypdf import PdfReader
 from app import VERSION
 from tests.browser.calculator_page import (
     chosen,
+    exported,
     figures_drawn,
     printed,
-    saved,
     settled,
     show,
     tab,
@@ -117,7 +117,8 @@ def test_the_print_button_draws_light_figures_in_the_dark(page: Page, service: s
           dispatchEvent(new Event("afterprint"));
         }; }"""
     )
-    page.locator(".tool.print").click()
+    page.get_by_role("button", name="Export").click()
+    page.locator("#export [data-do=print]").click()
     page.wait_for_function("() => globalThis.inked !== undefined")
     assert page.evaluate("() => inked") == "rgb(28, 39, 51)"
     expect(text).to_have_css("fill", dark)
@@ -127,7 +128,7 @@ def the_saved_report_stands_alone(
     page: Page, browser: Browser, calculator: str, file: Path
 ) -> None:
     figures = page.locator(".figure:not(:has(.measure))").count()
-    file.write_bytes(saved(page, page.locator(".tool.save-report")).read_bytes())
+    file.write_bytes(exported(page, "report").read_bytes())
     markup = file.read_text(encoding="utf-8")
     assert "<script" not in markup
     assert not re.search(r'(?:src|href)="(?!#)', re.sub(r"<svg.*?</svg>", "", markup, flags=re.S))

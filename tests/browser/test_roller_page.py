@@ -1,5 +1,6 @@
 """The swinging rollers as their user sees them: effects, not presence."""
 
+import re
 from typing import Any
 
 import pytest
@@ -104,11 +105,14 @@ def test_examples_narrow_screens_and_the_dark(page: Page, service: str) -> None:
     page.emulate_media(color_scheme="dark")
     with page.expect_request("**/roller-strength/chart?theme=dark"):
         show(page, service, "rollers")
-    titles = page.locator("#example option").all_inner_texts()
+    page.get_by_role("button", name="New").click()
+    titles = page.locator("#start [data-example]").all_inner_texts()
     assert len(titles) > 2 and all("pairs" not in title for title in titles)
-    page.locator("#example").select_option(label=next(one for one in titles if "fig. 5" in one))
+    expect(page.locator("#start section")).to_have_count(1)
+    page.locator("#start").get_by_role("button", name="fig. 5").click()
     expect(page.locator(".summary .numbers .cell.bad")).to_contain_text("1 of")
-    expect(page.locator("#example-source")).to_contain_text("Ovsyannikov")
+    naming = page.get_by_label("Name of the design")
+    expect(naming).to_have_attribute("title", re.compile("Ovsyannikov"))
     fits_narrow_screens(page, "rollers")
     expect(page.locator(".notes")).to_contain_text("n/4")
 

@@ -11,7 +11,7 @@ import httpx
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from tests.browser.calculator_page import address, ask, box, settled
+from tests.browser.calculator_page import address, ask, box, picked, settled
 
 MOVE = """(slider, angle) => {
   slider.value = angle;
@@ -44,7 +44,7 @@ def cycloid(service: str) -> dict[str, Any]:
 def opened(page: Page, service: str) -> None:
     page.goto(f"{service}/?calculator=crank-planetary")
     settled(page)
-    page.locator("#example").select_option("cycloid")
+    picked(page, "cycloid")
     expect(box(page, "gear.modification.equidistant_mm")).to_have_value("0.015")
     settled(page)
 

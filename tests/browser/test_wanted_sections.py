@@ -492,7 +492,7 @@ def test_a_figure_is_grey_until_it_is_of_the_numbers(
     drawn(page)
     figure = part(page, "bearings").locator(".figure")
     path = "/api/v1/satellite-bearing/chart"
-    page.get_by_role("button", name="Keep this design").click()
+    page.get_by_role("button", name="Compare").click()
     expect(page.locator(".compare thead input")).to_have_count(1)
     tab(page, "bearings").click()
     page.wait_for_timeout(300)
@@ -558,9 +558,7 @@ def test_discs_are_taken_along_as_drawings_once_their_modification_is_known(
     }
     design = {name: text for name, text in DESIGN.items() if name != "mechanism.ratio"}
     show(page, service, "crank-planetary", **design | ring)
-    take, drawings = (
-        page.get_by_role("button", name=name) for name in ("Take along", "Drawings, DXF")
-    )
+    take, drawings = (page.get_by_role("button", name=name) for name in ("Export", "Drawings, DXF"))
     take.click()
     expect(page.get_by_role("button", name="All results, CSV")).to_be_visible()
     expect(drawings).to_have_count(0)

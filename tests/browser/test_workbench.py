@@ -161,7 +161,7 @@ def test_the_request_runs_elsewhere_and_gives_the_same(
     page: Page, service: str, tmp_path: Path
 ) -> None:
     show(page, service, "precession")
-    page.get_by_role("button", name="Take along").click()
+    page.get_by_role("button", name="Export").click()
     code = page.get_by_label("Request in Python", exact=True).inner_text()
     done = ran(sys.executable, "-c", code)
     assert "deflection_C_mm" in done.stdout
@@ -184,7 +184,7 @@ def test_the_request_runs_elsewhere_and_gives_the_same(
 
 def test_designs_stand_side_by_side_with_their_curves(page: Page, service: str) -> None:
     show(page, service, "crank-planetary")
-    page.get_by_role("button", name="Keep this design").click()
+    page.get_by_role("button", name="Compare").click()
     named = page.get_by_label("Name of design A").element_handle()
     assert named
     box(page, TORQUE).fill("1000")

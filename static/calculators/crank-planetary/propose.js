@@ -2,19 +2,26 @@
 import { formatNumber } from "../../lib/format.js";
 import { message } from "../../messages/index.js";
 import { ratioOf } from "./mechanism.js";
+import { pictureOf as drawn } from "./picture.js";
+import { inputOf } from "./wanted.js";
+
+const MOST = 3; // proposals, side by side
 
 /** How the form is made of the schema (lib/schema_form.js). */
 export const FORM = {
   path: "/propose",
   groups: ["propose"],
   inline: ["materials"],
+  hidden: ["wanted"],
   arranged: {
-    task: ["torque_Nm", "ratio", "outer_diameter_mm", "length_mm", "input_speed_rpm", "life_h", "process", "materials.disc"],
-    more: ["application_factor", "ratio_to", "output", "discs", "min_efficiency", "max_backlash_arcmin", "wanted"],
+    task: ["torque_Nm", "ratio", "outer_diameter_mm", "input_speed_rpm", "life_h", "process"],
+    more: ["length_mm", "materials.disc", "application_factor", "ratio_to", "output", "discs", "min_efficiency", "max_backlash_arcmin"],
   },
 };
 
-export const asked = (input) => input;
+export const asked = (input) => ({ ...input, wanted: MOST });
+
+export const pictureOf = (input) => drawn(input.besides ? input : inputOf(input));
 
 /** The answer; what is found on the way is told at once. */
 export async function ask({ client, body, signal, progressed }) {
