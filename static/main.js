@@ -314,7 +314,7 @@ async function loadTools() {
     const [{ createExport }, { createKeys }] = await Promise.all([import("./views/export.js"), import("./views/keys.js")]);
     opensExport = createExport({
       exchange: () => bench?.exchange() ?? null, labels: () => bench.labels(), say,
-      on: { print: () => bench?.print(), report: () => bench?.saveReport(), labelled: (...label) => bench?.labelled(...label) },
+      on: { print: (ready) => bench?.print(ready), report: () => bench?.saveReport(), labelled: (...label) => bench?.labelled(...label) },
     });
     createKeys({ button: bar.tool("help"), about: () => bench?.help() ?? null });
     bar.tool("help").disabled = false;

@@ -41,11 +41,6 @@ export function createRest({ store, inputs, outputs, panels, client, designs, ve
         on.compared();
       },
       export: () => compare.save(designs.exported()),
-      import(text) {
-        const count = designs.imported(text);
-        on.compared();
-        on.told(count === null ? message("compare.notOurs") : message("compare.imported", { count }));
-      },
     },
   });
   const results = createResults({ calculator, titles });
@@ -90,7 +85,7 @@ export function createRest({ store, inputs, outputs, panels, client, designs, ve
     { update: following(({ typed }) => [typed.texts.title ?? ""], ({ typed }) => nameFiles(typed.texts.title ?? "")) },
   ]);
   return {
-    print: () => report.print(),
+    print: (ready) => report.print(ready),
     save: () => report.save(),
     /** Show the designs side by side. */
     compare: () => panels.open("compare"),

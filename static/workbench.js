@@ -335,7 +335,8 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       const chosen = [document.activeElement?.closest(card), pointed, drawing.root].find((one) => one && outputs.contains(one));
       if (chosen && !document.querySelector("dialog[open]")) enlarge(chosen);
     },
-    print: () => asking.settled().then(() => rest?.print()),
+    /** `ready()` is told just before. */
+    print: (ready) => asking.settled().then(() => rest?.print(ready)),
     saveReport: () => asking.settled().then(() => rest?.save()),
     /** What helps to read the page: its symbols, each once, and what the model leaves out. */
     help() {

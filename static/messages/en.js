@@ -445,6 +445,7 @@ export default {
     announce: "Results up to date. {cells}",
   },
   parts: {
+    short: { contact: "Holes", pins: "Pins", teeth: "Teeth", satellite_bearing: "Bearings", crank_bearings: "Shaft", body: "Body", losses: "Losses" },
     label: "Parts of the reducer", leave: "Leave out: {part}", take: "Judge: {part}", only: "Contact only", all: "All parts",
   },
   partStatus: {
@@ -555,7 +556,6 @@ export default {
     base: "compared against",
     title: "Designs side by side",
     export: "Save all to a file",
-    import: "Load from a file",
     own: "At hand",
     name: "Name of design {name}",
     open: "Open",
@@ -565,7 +565,6 @@ export default {
     kept: "Kept as design {name}.",
     unsaved: "Design {name} is kept until this page is closed: the browser stores nothing. Save all to a file.",
     imported: "{count} designs loaded.",
-    notOurs: "The file holds no designs of KHV Calc.",
   },
   results: {
     all: "All results",

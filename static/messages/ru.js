@@ -444,6 +444,7 @@ export default {
     announce: "Результаты актуальны. {cells}",
   },
   parts: {
+    short: { contact: "Отверстия", pins: "Пальцы", teeth: "Зубья", satellite_bearing: "Подшипники", crank_bearings: "Вал", body: "Тело", losses: "Потери" },
     label: "Части редуктора", leave: "Не проверять: {part}", take: "Проверять: {part}", only: "Только контакт", all: "Все части",
   },
   partStatus: {
@@ -554,7 +555,6 @@ export default {
     base: "с ним сравнено",
     title: "Сравнение конструкций",
     export: "Все в файл",
-    import: "Из файла",
     own: "Текущая",
     name: "Название конструкции {name}",
     open: "Открыть",
@@ -564,7 +564,6 @@ export default {
     kept: "Сохранено как конструкция {name}.",
     unsaved: "Конструкция {name} сохранена лишь до закрытия страницы: браузер ничего не запоминает. Сохраните все в файл.",
     imported: "Загружено конструкций: {count}.",
-    notOurs: "В файле нет конструкций KHV Calc.",
   },
   results: {
     all: "Все результаты",

@@ -444,6 +444,7 @@ export default {
     announce: "Результати актуальні. {cells}",
   },
   parts: {
+    short: { contact: "Отвори", pins: "Цівки", teeth: "Зуби", satellite_bearing: "Підшипники", crank_bearings: "Вал", body: "Тіло", losses: "Втрати" },
     label: "Частини редуктора", leave: "Не перевіряти: {part}", take: "Перевіряти: {part}", only: "Лише контакт", all: "Усі частини",
   },
   partStatus: {
@@ -554,7 +555,6 @@ export default {
     base: "з ним порівняно",
     title: "Порівняння конструкцій",
     export: "Усі у файл",
-    import: "З файлу",
     own: "Поточна",
     name: "Назва конструкції {name}",
     open: "Відкрити",
@@ -564,7 +564,6 @@ export default {
     kept: "Збережено як конструкцію {name}.",
     unsaved: "Конструкцію {name} збережено лише до закриття сторінки: браузер нічого не запам’ятовує. Збережіть усі у файл.",
     imported: "Завантажено конструкцій: {count}.",
-    notOurs: "У файлі немає конструкцій KHV Calc.",
   },
   results: {
     all: "Усі результати",

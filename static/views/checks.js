@@ -82,10 +82,13 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
     const all = judged.checks.map((check) => ({ ...checkRow(check, titles), group: check.group }))
       .map((row) => ({ ...row, missing: [...new Set(row.missing.map(askedAt))] }));
     const holds = ({ code, status }) => status === "pass" && code !== governing;
-    const open = all.filter((row) => !holds(row) && (row.judged || (row.status === "not_checked" && row.needed)));
-    fill(first, html`${open.map((row) => rowMarkup(row, fieldAt))}`);
-    fold(folds[0], "checks.hold", all.filter(holds));
-    fold(folds[1], "checks.more", all.filter((row) => !holds(row) && !open.includes(row)));
+    const isOpen = (row) => !holds(row) && (row.judged || (row.status === "not_checked" && row.needed));
+    const asked = new Set();
+    /** A field is asked for once, at the first row that lacks it. */
+    const once = (row) => ({ ...row, missing: row.missing.filter((path) => !asked.has(path) && asked.add(path)) });
+    fill(first, html`${all.filter(isOpen).map((row) => rowMarkup(once(row), fieldAt))}`);
+    fold(folds[0], "checks.hold", all.filter(holds).map(once));
+    fold(folds[1], "checks.more", all.filter((row) => !holds(row) && !isOpen(row)).map(once));
     const mended = isMended(calculator, shown.answer);
     for (const row of root.querySelectorAll(".check")) {
       row.querySelector("details").open = opened.has(row.dataset.code) || (mended && row.dataset.code === governing);

@@ -118,15 +118,13 @@ function tableRows(rows) {
 }
 
 /**
- * `on.open(design)`, `on.rename(design, name)`, `on.remove(design)`, `on.export()` and
- * `on.import(text)` report what the user does.
+ * `on.open(design)`, `on.rename(design, name)`, `on.remove(design)` and `on.export()` report what the user does.
  */
 export function createCompare({ model, calculator, on }) {
   const root = element(html`
     <section class="compare" aria-labelledby="compare-title">
       <div class="compare-head"><h2 id="compare-title">${message("compare.title")}</h2>
         <button type="button" class="toggle" data-do="export">${message("compare.export")}</button>
-        <label class="toggle file">${message("compare.import")}<input type="file" accept="application/json,.json" class="unseen"></label>
       </div>
       <div class="compare-table" tabindex="0" role="group" aria-labelledby="compare-title"></div>
     </section>`);
@@ -139,15 +137,7 @@ export function createCompare({ model, calculator, on }) {
     if (act === "export") on.export();
     else if (act) on[act](design);
   });
-  root.addEventListener("change", async ({ target }) => {
-    if (target.type === "file") {
-      const [file] = target.files;
-      if (file) on.import(await file.text());
-      target.value = "";
-    } else {
-      on.rename(designs[target.closest("[data-design]").dataset.design], target.value);
-    }
-  });
+  root.addEventListener("change", ({ target }) => on.rename(designs[target.closest("[data-design]").dataset.design], target.value));
 
   return {
     root,

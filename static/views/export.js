@@ -3,7 +3,7 @@ import { Problem } from "../lib/api.js";
 import { csvOf, curlLine, flatValues, pythonCode } from "../lib/exports.js";
 import { fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { createDialog } from "./parts.js";
+import { busy, createDialog } from "./parts.js";
 import { download } from "./files.js";
 
 function resultsCsv({ filled, answer }) {
@@ -28,7 +28,7 @@ const button = (act, words) => html`<button type="button" class="toggle" data-do
  * `exchange()` gives what was asked for the results on the screen: `{ calculator, requests: [{ path,
  * body, answer }], filled, answer }`, and `files: [{ id, make }]`, what the service draws of them, with `refused(problem)`,
  * which words why it does not; or null where there are none. `labels()` is what the report's title block says, `[[label, text]]`.
- * `on.print()`, `on.report()`, `on.labelled(label, text)`. Returns what opens the sheet.
+ * `on.print(ready)`, which tells when it is about to, `on.report()`, `on.labelled(label, text)`. Returns what opens the sheet.
  */
 export function createExport({ exchange, labels, say, on }) {
   const dialog = createDialog({ id: "export", title: message("bar.export"), content: html`<div class="share"></div>` });
@@ -54,9 +54,8 @@ export function createExport({ exchange, labels, say, on }) {
   content.addEventListener("click", async ({ target }) => {
     const act = target.dataset.do;
     const text = target.closest(".copy")?.closest(".snippet").querySelector("pre");
-    if (act === "print") dialog.close(); // it would stand on the paper
-    if (on[act]) on[act]();
-    else if (act) give(act);
+    const ready = () => dialog.close(); // it would stand on the paper
+    if (act) await busy(target, () => (on[act] ? on[act](ready) : give(act)));
     if (!text) return;
     try {
       await navigator.clipboard.writeText(text.textContent);

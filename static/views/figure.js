@@ -5,7 +5,7 @@ import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { passingText, problemText } from "../service_texts.js";
 import { following } from "../store.js";
-import { enlargeButton, olderMark, tableMarkup } from "./parts.js";
+import { busy, enlargeButton, olderMark, tableMarkup } from "./parts.js";
 import { createPlot, loadPlotly, pictureOf } from "./plot.js";
 
 const NONE = [];
@@ -138,10 +138,8 @@ export function createFigure({ figure: about, client, titles, on = ALONE }) {
     const loading = loadPlotly().catch(() => null);
     const { answer, problem, superseded } = await newest.ask(ask);
     if (superseded) return undefined;
-    if (answer) {
-      chart = answer.own;
-      on.charted(figure.id, chart.data);
-    }
+    if (answer) chart = answer.own;
+    if (answer || !problem.passing) on.charted(figure.id, answer ? chart.data : []); // the drawing does without it
     const Plotly = await loading;
     if (latest !== asked || !root.isConnected) return undefined;
     complain(problem || !Plotly
@@ -220,10 +218,11 @@ export function createFigure({ figure: about, client, titles, on = ALONE }) {
   }
 
   tools.addEventListener("click", async (event) => {
-    const kind = event.target.closest("[data-kind]")?.dataset.kind.toLowerCase();
-    if (!kind) return;
+    const button = event.target.closest("[data-kind]");
+    if (!button) return;
+    const kind = button.dataset.kind.toLowerCase();
     try {
-      const [{ download }, file] = await Promise.all([import("./files.js"), fileOf(kind)]);
+      const [{ download }, file] = await busy(button, () => Promise.all([import("./files.js"), fileOf(kind)]));
       download(`${figure.id}.${kind}`, ...file);
     } catch (problem) {
       complain(message("figure.failed", { detail: problemText(problem, titles) }));

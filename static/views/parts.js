@@ -67,6 +67,16 @@ export function createDialog({ id, title, content }) {
   return dialog;
 }
 
+/** Have a button say that it works, until that is done. */
+export async function busy(button, work) {
+  button.setAttribute("aria-busy", "true");
+  try {
+    return await work();
+  } finally {
+    button.removeAttribute("aria-busy");
+  }
+}
+
 /** A list of records, each in a column under its name, a row a quantity; not all of them have every one. */
 export function listMarkup(name, records, nameOf) {
   const cell = (value, unit) => (value === undefined ? "–" : quantityParts(value, unit, LIST_DIGITS).value);

@@ -64,7 +64,7 @@ export function createPlot({ label, follows, picked, clicked }) {
 
   function moveCursor() {
     const { xaxis, _size: size } = root._fullLayout ?? {};
-    cursor.hidden = !xaxis || root.hidden || root.classList.contains("absent");
+    cursor.hidden = !xaxis || root.hidden;
     if (cursor.hidden) return;
     const x = xaxis.l2p(turn.angle);
     cursor.hidden = x < 0 || x > xaxis._length;

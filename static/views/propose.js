@@ -10,7 +10,7 @@ import { decodeState, query } from "../lib/url_state.js";
 import { message, quantityTitle } from "../messages/index.js";
 import * as next from "../store.js";
 import { createForm } from "./form.js";
-import { sign } from "./parts.js";
+import { busy, sign } from "./parts.js";
 import { createRun } from "./run.js";
 
 const ID = "propose";
@@ -108,11 +108,12 @@ export function createProposals({ logic, client, titles, modelOf, on }) {
   root.prepend(form.root, run.root);
 
   root.addEventListener("click", async ({ target }) => {
-    const at = target.closest("[data-at]")?.dataset.at;
-    if (at === undefined || at === null) return;
+    const card = target.closest("[data-at]");
+    if (!card) return;
+    const { at } = card.dataset;
     const { found, answer } = store.state.besides[ID];
     const { design } = at === "nearest" ? answer.nearest : found[at];
-    const { answer: whole, superseded } = await opening.ask(() => logic.placed(client, design));
+    const { answer: whole, superseded } = await busy(card.querySelector("button"), () => opening.ask(() => logic.placed(client, design)));
     if (!superseded) on.opened(whole);
   });
 

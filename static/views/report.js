@@ -154,8 +154,9 @@ export function createReport({ calculator, model, catalogues, version, outputs, 
   }
 
   return {
-    async print() {
+    async print(ready) {
       await light();
+      ready();
       globalThis.print();
     },
     async save() {

@@ -87,12 +87,12 @@ function partsMarkup(parts, known) {
   const judged = parts.filter(({ status }) => status !== "left_out");
   const rows = parts.map(partRow);
   return html`<ul>${rows.map(({ code, title, status, level, mark, words, ask, leaves }) => html`
-    <li class="chip ${status}" data-part-of="${code}"><button type="button" data-part="${code}" data-ask="${ask ?? ""}" data-takes="${leaves ? "" : code}" title="${words}">
-      <span class="mark ${level || ""}" aria-hidden="true">${mark}</span>${title}<span class="unseen">: ${words}</span></button><button
+    <li class="chip ${status}" data-part-of="${code}"><button type="button" data-part="${code}" data-ask="${ask ?? ""}" data-takes="${leaves ? "" : code}" title="${title}: ${words}">
+      <span class="mark ${level || ""}" aria-hidden="true">${mark}</span>${message(`parts.short.${code}`)}<span class="unseen">: ${words}</span></button><button
       type="button" class="scope" ${(!known || (leaves && judged.length < 2)) && html`disabled`} data-leaves="${leaves ? code : ""}" data-takes="${leaves ? "" : code}" aria-label="${message(leaves ? "parts.leave" : "parts.take", { part: title })}"
-      title="${message(leaves ? "parts.leave" : "parts.take", { part: title })}">${leaves ? "×" : "+"}</button></li>`)}</ul>
-    <button type="button" class="link only" ${(!known || judged.length < 2) && html`disabled`}>${message("parts.only")}</button>
-    <button type="button" class="link every" ${(!known || judged.length === parts.length) && html`disabled`}>${message("parts.all")}</button>`;
+      title="${message(leaves ? "parts.leave" : "parts.take", { part: title })}">${leaves ? "×" : "+"}</button></li>`)}
+    <li><button type="button" class="link only" ${!known && html`disabled`} ${judged.length < 2 && html`hidden`}>${message("parts.only")}</button></li>
+    <li><button type="button" class="link every" ${!known && html`disabled`} ${judged.length === parts.length && html`hidden`}>${message("parts.all")}</button></li></ul>`;
 }
 
 /**

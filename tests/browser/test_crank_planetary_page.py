@@ -476,6 +476,10 @@ def test_a_whole_reducer_picked_shows_all_its_sections(page: Page, service: str)
     assert answer["verdict"] == wanted["verdict"] == "incomplete"  # the teeth are open
     for group in ("strength", "losses", "bearings", "crank"):
         expect(tab(page, group)).to_be_visible()
+    asked = page.locator(".checks [data-ask]").evaluate_all(
+        "all => all.map((one) => one.dataset.ask)"
+    )
+    assert len(asked) == len(set(asked)) > 0  # each field at the first check that lacks it
     expect(page.get_by_label("Name of the design")).to_have_attribute("placeholder", whole["title"])
 
 

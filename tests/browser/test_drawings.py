@@ -484,9 +484,20 @@ def test_what_is_drawn_of_older_inputs_says_so(page: Page, service: str) -> None
     page.unroute("**/crank-planetary/chart*")
     expect(marks.filter(visible=True)).to_have_count(0)
     # A figure that is refused leaves the drawing without its forces.
+    shaft = page.locator(".drawing svg > .force.arrow:not(.none)")
+    expect(shaft).not_to_have_count(0)
+    refused = {"type": "/problems/impossible-mechanism", "status": 422, "detail": "No figure"}
+    page.route(
+        "**/crank-planetary/chart*",
+        lambda route: route.fulfill(status=422, json=refused),
+    )
     picked(page, "cycloid")
     settled(page)
+    expect(page.locator("#panel-drawing .satellite .profile")).to_have_count(2)
     expect(marks.filter(visible=True)).to_have_count(0)
+    expect(shaft).to_have_count(0)
+    page.unroute("**/crank-planetary/chart*")
     box(page, "mechanism.satellites").fill("40")
     settled(page, "wrong")
-    expect(page.locator("#panel-drawing .mechanism .older")).to_be_visible()
+    expect(page.locator("#panel-drawing .scale")).to_contain_text("Too many pairs")
+    expect(page.locator("#panel-drawing .drawing svg")).to_have_count(0)

@@ -44,6 +44,9 @@ def test_the_page_is_as_high_as_the_screen(
     settled(newcomer)
     assert not scrolls(newcomer)
     right = newcomer.locator(".right").bounding_box()
+    chips = newcomer.locator(".parts button:visible")
+    edges = chips.evaluate_all("all => all.map((one) => one.getBoundingClientRect().right)")
+    assert len(edges) > 7 and max(edges) < right["x"] + right["width"]
     centre = newcomer.locator(".shown").bounding_box()
     folds = newcomer.locator(".rest > details")
     expect(folds).to_have_count(2)

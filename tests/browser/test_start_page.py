@@ -108,6 +108,28 @@ def test_a_design_is_brought_as_a_file_or_as_a_link(page: Page, service: str) ->
     settled(page)
 
 
+def test_a_button_that_works_says_so(page: Page, service: str) -> None:
+    show(page, service, "crank-planetary")
+    held: list[Route] = []
+    page.get_by_role("tab", name="Forces").click()
+    page.route("**/crank-planetary/chart*", lambda route: held.append(route))
+    png = page.get_by_role("button", name="Contact forces: save as PNG")
+    with page.expect_download():
+        png.click()
+        expect(png).to_have_attribute("aria-busy", "true")
+        held[0].continue_()
+    expect(png).not_to_have_attribute("aria-busy", "true")
+    page.unroute("**/crank-planetary/chart*")
+    page.get_by_role("button", name="Export").click()
+    page.evaluate(
+        "() => { globalThis.print = () => { globalThis.done = export_is_open(); };"
+        " globalThis.export_is_open = () => document.querySelector('#export').open; }"
+    )
+    page.locator("#export [data-do=print]").click()
+    page.wait_for_function("() => 'done' in globalThis")
+    assert page.evaluate("() => done") is False
+
+
 def test_the_name_is_typed_in_the_bar_and_said_in_the_link(page: Page, service: str) -> None:
     show(page, service, "crank-planetary")
     name = page.get_by_label("Name of the design")
