@@ -10,6 +10,7 @@ import { createPlot, loadPlotly, pictureOf } from "./plot.js";
 
 const NONE = [];
 const AGAIN_MS = 4000; // until a figure that the service could not give is asked for again
+const LATE_MS = 300; // until a figure of other inputs gives way to the word that it is computed
 const ALONE = { charted() {}, turned() {}, set() {}, picked() {} }; // what a figure reports that nobody follows
 const BUTTON_PX = 48; // the room of a figure that is drawn on demand, until it is
 
@@ -136,10 +137,15 @@ export function createFigure({ figure: about, client, titles, on = ALONE }) {
     root.dataset.stale = String(asked.answer !== drawnOf);
     if (waiting && !figure.leads) return undefined;
     const loading = loadPlotly().catch(() => null);
+    const late = !measure && asked.answer !== drawnOf && setTimeout(() => {
+      complain(message("state.computing")); // nothing of other inputs stands beside the numbers
+      on.charted(figure.id, []);
+    }, LATE_MS);
     const { answer, problem, superseded } = await newest.ask(ask);
+    clearTimeout(late);
     if (superseded) return undefined;
     if (answer) chart = answer.own;
-    if (answer || !problem.passing) on.charted(figure.id, answer ? chart.data : []); // the drawing does without it
+    on.charted(figure.id, answer ? chart.data : []); // the drawing does without it
     const Plotly = await loading;
     if (latest !== asked || !root.isConnected) return undefined;
     complain(problem || !Plotly

@@ -188,6 +188,7 @@ function placeDetail(parts, { m, directions, pins, driving, force, real }, i) {
     ${label([(centre[0] + hole[0]) / 2 + side * direction[1] * 12, (centre[1] + hole[1]) / 2 + side * direction[0] * 12 + 4], "e", { field: FIELD.e })}
     ${radius(centre, close.size(m.pinRadius), away + side * 125, "r_in", { of: m.pinRadius, field: FIELD.pin, lead: close.size(m.holeRadius + m.eccentricity - m.pinRadius) + 6 })}
     ${radius(hole, close.size(m.holeRadius), away + side * 55, "r_out", { of: m.holeRadius, field: FIELD.hole, lead: 10 })}`);
+  if (driving[i] && !force) return ""; // until the forces are known
   const drives = real ? "drawing.carries" : "drawing.drives";
   return message(driving[i] ? drives : "drawing.idle", {
     ...m.pairs[i], force: formatQuantity(value, "N", 4),
