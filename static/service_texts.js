@@ -2,7 +2,7 @@
  * What the service says in words: refusals, warnings and figures, by code, in the language and with
  * the titles of the page. `titles` maps API field names to titles. No DOM.
  */
-import { formatNumber, formatQuantity, unitOf } from "./lib/format.js";
+import { ALL, formatNumber, formatQuantity, shownDigits, unitOf } from "./lib/format.js";
 import { fieldAtPointer, keysOf } from "./lib/form_state.js";
 import { fieldTexts, symbolsIn } from "./lib/schema_form.js";
 import { DIAMETER, inDiameters, shownUnit } from "./lib/units.js";
@@ -42,8 +42,8 @@ function parameter(name, value, unit, titles) {
   if (name === "reason" && typeof value === "string") return message(`shares.reason.${value}`);
   if (name === "names") return value.split(", ").map((one) => titleOf(one, titles)).join("; ");
   if (typeof value !== "number") return (name === "material" && said("materials", value)) || String(value);
-  if (unitOf(name)) return formatQuantity(value, unitOf(name), 9);
-  return LIMITS.includes(name) ? formatQuantity(value, unit, 12) : formatNumber(value, Number.isInteger(value) ? 15 : 3);
+  if (unitOf(name)) return formatQuantity(value, unitOf(name), ALL);
+  return LIMITS.includes(name) ? formatQuantity(value, unit, ALL) : formatNumber(value, Number.isInteger(value) ? ALL : 3);
 }
 
 /** What a code says, whichever says it; every code has one place. */
@@ -168,7 +168,7 @@ export function reasonText(reason, titles) {
 
 /** A number of a figure, or Plotly's placeholder of one, with its unit as it is shown. */
 function amount({ value, unit, digits }) {
-  if (typeof value === "number") return formatQuantity(value, unit, digits);
+  if (typeof value === "number") return formatQuantity(value, unit, Math.min(digits, shownDigits(0)));
   return value + (unit === "" || unit === "°" ? unit : `\u00a0${shownUnit(unit)}`);
 }
 

@@ -34,7 +34,7 @@ import { explained, ofTitle, passingText, problemText, refusalTexts, warningText
 /** What is wrong with a box, in words; nothing for one that can be read. */
 export function readingText(reading) {
   if (!reading?.problem) return "";
-  const limit = reading.limit === undefined ? "" : formatNumber(reading.limit);
+  const limit = reading.limit === undefined ? "" : formatNumber(reading.limit, 6);
   const words = message(`problem.${reading.problem}`, { limit });
   if (reading.row === undefined) return words;
   return message("rows.problem", { row: reading.row + 1, title: reading.column.title, words });
@@ -255,7 +255,7 @@ export const mended = (state, of, list, long = false) => (state.shown?.answer ==
 /** The largest torque of that design; nothing of it where it is not known. */
 export function limited(state, of, { torque_reserve, largest_torque_Nm, largest_torque_of }) {
   if (state.shown?.answer !== of.answer) return state;
-  const said = largest_torque_Nm === undefined ? state.said : message("checks.largestTorque", { torque: formatQuantity(largest_torque_Nm, "N·m", 4) });
+  const said = largest_torque_Nm === undefined ? state.said : message("checks.largestTorque", { torque: formatQuantity(largest_torque_Nm, "N·m") });
   return { ...state, said, limit: { of, found: { torque_reserve, largest_torque_Nm, largest_torque_of } } };
 }
 

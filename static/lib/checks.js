@@ -1,7 +1,7 @@
 /** The service's verdict and checks in words and numbers, ready to be shown. No DOM. */
 import { fieldWords, message, said } from "../messages/index.js";
 import { ofTitle, reasonText } from "../service_texts.js";
-import { formatAngle, formatNumber, formatQuantity, inNumerals, unitOf } from "./format.js";
+import { ALL, formatAngle, formatNumber, formatQuantity, inNumerals, unitOf } from "./format.js";
 
 const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "warning", not_checked: "warning" };
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
@@ -97,7 +97,7 @@ export function percent(share) {
   return `${formatNumber(100 * share, share < 0.1 ? 2 : 3)}\u00a0%`;
 }
 
-const amount = (value, unit) => (value === undefined ? "" : formatQuantity(value, unit, 4));
+const amount = (value, unit, digits) => (value === undefined ? "" : formatQuantity(value, unit, digits));
 
 /**
  * A check for a row: `level`, `title`, `why`, `value`, `limit` (with the sense), `used` (share of the
@@ -115,6 +115,7 @@ export function checkRow(check, titles) {
     title: titleOf(check),
     why: said("checks", code)?.why ?? check.why ?? "",
     value: none ? message("checks.none") : amount(value, unit),
+    exact: none ? "" : amount(value, unit, ALL),
     limit: limit === undefined || none ? "" : noneAllowed ? message("checks.noneAllowed") : `${keep === "above" ? "≥" : "≤"}\u00a0${amount(limit, unit)}`,
     used: utilisation,
     formula: inNumerals(check.formula ?? ""),
@@ -144,7 +145,7 @@ function effectText(check, { status_from: was, status_to: is, utilisation_from: 
 /** What a fix changes in words, `name` that of a message: the input, and what follows it. */
 function changeText({ pointer, title, unit, from, to, change, sets = {} }, fieldAt, name) {
   const field = fieldAt(pathOf(pointer)) ?? { title, unit };
-  const shown = (value, unitOfIt) => (typeof value === "string" ? said("materials", value) ?? value : formatQuantity(value, unitOfIt, 5));
+  const shown = (value, unitOfIt) => (typeof value === "string" ? said("materials", value) ?? value : formatQuantity(value, unitOfIt, ALL));
   const values = {
     field: field.title, from: shown(from, field.unit), to: to === undefined ? "" : shown(to, field.unit),
     change: change === undefined ? "" : `${change > 0 ? "+" : ""}${percent(change)}`,
@@ -189,7 +190,7 @@ export function verdictSentence(judged, titles) {
   const check = decisive(judged);
   const row = check && checkRow(check, titles);
   const { largest_torque_Nm: largest } = judged;
-  const allowed = largest !== undefined && message("checks.largestTorque", { torque: formatQuantity(largest, "N·m", 4) });
+  const allowed = largest !== undefined && message("checks.largestTorque", { torque: formatQuantity(largest, "N·m") });
   const cold = coldYield(judged)?.sentence;
   const governs = row?.judged && row.value && row.limit ? ofTitle(row.title, `${row.value} (${row.limit})`) : [row?.title, row?.reason].filter(Boolean).join(": ");
   return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, allowed && `${allowed}.`, cold].filter(Boolean).join(" ");
@@ -219,7 +220,7 @@ export function assumedIn({ assumed = [] }) {
     const group = part === "bearings" ? "bearing" : part; // of the list of those of the shaft
     const between = low === undefined ? "" : ` (${formatNumber(low)}\u2013${formatNumber(high)})`;
     const numbers = [value].flat().filter((one) => typeof one === "number");
-    const shown = numbers.length > 0 ? numbers.map((one) => formatQuantity(one, unitOf(name))).join("; ") + between : said("materials", value) ?? message("option")[value] ?? "";
+    const shown = numbers.length > 0 ? numbers.map((one) => formatQuantity(one, unitOf(name), ALL)).join("; ") + between : said("materials", value) ?? message("option")[value] ?? "";
     const words = { title: fieldWords(name, group)?.title ?? name, value: shown };
     if (!without) return message("checks.assumedOne", words);
     return message("checks.assumedWithout", { ...words, force: formatQuantity(without.peak_force_N, "N") });

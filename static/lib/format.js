@@ -108,18 +108,24 @@ export function tidy(value) {
   return Number(value.toPrecision(15));
 }
 
+const SHOWN = 4;
+/** Digits of what is typed, pointed at, listed for a figure or saved: without the noise of binary sums. */
+export const ALL = 12;
+
 /** How many digits a stated relative error allows to show. */
-export function shownDigits(relativeError, most = 6) {
+export function shownDigits(relativeError, most = SHOWN) {
   if (!(relativeError > 0)) return most;
   return Math.max(1, Math.min(most, Math.floor(-Math.log10(relativeError))));
 }
 
 /** Results that follow from the request alone: the error of those beside them is not theirs. */
 const AS_ASKED = ["relative_speed_rpm"];
+/** Results whose models are rougher than their numbers. */
+const ROUGH = /_life_h|^life_h|safety|(?:contact|force)_ratio$|inertia|slope|shift|turn_mrad|unbalance|couple|pv_MPa|speed_m_per_s/;
 
-/** How many digits of a result an accuracy allows to show. */
-export function resultDigits(name, { relative_error: error }) {
-  return shownDigits(AS_ASKED.includes(name) ? 0 : error);
+/** How many digits of a result are shown: as many as its model is true to and the error of its numbers allows. */
+export function digitsOf(name, { relative_error: error } = {}, most = ROUGH.test(name) ? 3 : SHOWN) {
+  return shownDigits(AS_ASKED.includes(name) ? 0 : error, most);
 }
 
 function grouped(digits) {
@@ -127,7 +133,7 @@ function grouped(digits) {
 }
 
 /** Write a number to so many significant digits; whole numbers are not filled up with noughts. */
-export function formatNumber(value, digits = 6) {
+export function formatNumber(value, digits = ALL) {
   if (!Number.isFinite(value)) throw new RangeError(`not a finite number: ${value}`);
   if (value === 0) return "0";
   const sign = value < 0 ? MINUS : "";
@@ -148,21 +154,19 @@ export function inNumerals(text) {
 }
 
 /** A value of a canonical unit as `{ value, unit }`, texts in the unit shown. */
-export function quantityParts(value, unit, digits = 6) {
+export function quantityParts(value, unit, digits = SHOWN) {
   return { value: formatNumber(shownValue(value, unit), digits), unit: shownUnit(unit) };
 }
 
 /** A value of a canonical unit with the unit shown; degrees and no unit stand close. */
-export function formatQuantity(value, unit, digits = 6) {
+export function formatQuantity(value, unit, digits = SHOWN) {
   const shown = quantityParts(value, unit, digits);
   if (!unit) return shown.value;
   return unit === "°" || unit === "′" ? shown.value + unit : `${shown.value}\u00a0${shown.unit}`;
 }
 
-/** A place in a turn, to a hundredth of a degree. */
-export function formatAngle(degrees, digits = 5) {
-  return formatQuantity(Math.round(100 * degrees) / 100, "°", digits);
-}
+/** A place in a turn. */
+export const formatAngle = (degrees, digits) => formatQuantity(Math.round(100 * degrees) / 100, "°", digits);
 
 /** A run time in the unit that suits it. */
 export function formatDuration(microseconds) {
@@ -187,7 +191,7 @@ const UNITS = {
 };
 
 /** A value of an answer by its API name, with the unit that ends it. */
-export const written = (values, name, digits) => formatQuantity(values[name], unitOf(name), digits);
+export const written = (values, name) => formatQuantity(values[name], unitOf(name), digitsOf(name, values.accuracy));
 
 /** The unit that ends an API field name, "" for a plain number. */
 export function unitOf(name) {

@@ -1,5 +1,5 @@
 /** "Size for ...": what is asked of the solver at a field, and what its answer says. No DOM. */
-import { formatNumber, formatQuantity, tidy } from "./format.js";
+import { ALL, formatNumber, formatQuantity, tidy } from "./format.js";
 import { isLimited, judgedOf, pathOf, percent, sizedBy, titleOf } from "./checks.js";
 import { message, quantityTitle } from "../messages/index.js";
 
@@ -57,7 +57,7 @@ function rounded(value, want) {
 
 /** The answer in words, `{ text, sets }`; without `sets` where there is nothing to apply. */
 export function solutionOf(field, target, want, { status, value, sets, standard_size: standard, best }) {
-  const shown = (number) => formatQuantity(number, field.unit, 6);
+  const shown = (number) => formatQuantity(number, field.unit, ALL);
   const names = { field: field.title, target: target.title };
   if (status === "always") return { text: message("sizing.always", names) };
   if (status === "infeasible" || value === undefined) {

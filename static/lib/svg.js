@@ -147,7 +147,7 @@ export function arcPath([x, y], length, from, to) {
 
 /** A length as it is written in a drawing. */
 export function mm(value) {
-  return formatQuantity(value, "mm", 4);
+  return formatQuantity(value, "mm");
 }
 
 /** The largest value not above this one that is 1, 2 or 5 by tens in the unit shown: a round one for a scale. */

@@ -1,11 +1,11 @@
 /** What a verdict is made of: its cells, and the warnings of an answer. No DOM. */
 import { quantityTitle } from "../messages/index.js";
-import { quantityParts, shownDigits, unitOf, written } from "./format.js";
+import { ALL, digitsOf, formatQuantity, quantityParts, unitOf, written } from "./format.js";
 
 const IMPOSSIBLE = ["interference", "wall_holes", "pins_apart"];
 
 /**
- * A cell, `{ label, value, unit, note, level }`; of a section without answer the label alone.
+ * A cell, `{ label, value, exact, unit, note, level }`; of a section without answer the label alone.
  * `about(section)` gives what an answered section says.
  */
 export function cell(label, section, about) {
@@ -13,13 +13,15 @@ export function cell(label, section, about) {
 }
 
 /** A cell of a group beside the results: a quantity by its name among these values, – where it is not known. */
-export function quantityCell(values, name, digits, note, label = quantityTitle(name)) {
-  return { label, value: values[name] === undefined ? "–" : written(values, name, digits), note };
+export function quantityCell(values, name, note, label = quantityTitle(name)) {
+  const { [name]: value } = values;
+  if (value === undefined) return { label, value: "–", note };
+  return { label, value: written(values, name), exact: formatQuantity(value, unitOf(name), ALL), note };
 }
 
-/** Value and unit of a quantity of a section, or of a part of it, with at most so many digits, and no more than the accuracy allows. */
-export function stated(section, name, most, value = section[name]) {
-  return quantityParts(value, unitOf(name), shownDigits(section.accuracy.relative_error, most));
+/** Value and unit of a quantity of a section, or of a part of it, as it is shown and with all its digits. */
+export function stated(section, name, value = section[name]) {
+  return { ...quantityParts(value, unitOf(name), digitsOf(name, section.accuracy)), exact: formatQuantity(value, unitOf(name), ALL) };
 }
 
 /** Every warning of an answer and of its sections, once. */

@@ -35,7 +35,7 @@ function filled(text, values) {
   const one = typeof text === "string" ? text : text[plural.select(values.count)];
   return one.replace(/\{(\w+)\}/g, (whole, name) => {
     const value = values[name] ?? whole;
-    return typeof value === "number" ? formatNumber(value, 15) : value;
+    return typeof value === "number" ? formatNumber(value) : value;
   });
 }
 

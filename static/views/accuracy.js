@@ -10,7 +10,7 @@ function sectionMarkup([id, { accuracy: { method, method_code: code, relative_er
   return html`<li><b>${message(`section.${id}`)}</b>: ${message("results.accuracy", {
     method: said("methods", code) ?? method,
     error: error === 0 ? message("results.none") : formatNumber(error, 2),
-    evaluations: formatNumber(evaluations, 15),
+    evaluations: formatNumber(evaluations),
     time: formatDuration(time),
   })}</li>`;
 }

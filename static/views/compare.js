@@ -1,15 +1,13 @@
 /** Kept designs beside the one at hand: inputs that differ, results and their differences. */
 import { ASIDE, flattened, judgedOf, levelOfWord, listedOf, percent, titleOf, wordOf } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
-import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
+import { ALL, formatNumber, formatQuantity, quantityParts, unitOf } from "../lib/format.js";
 import { message, quantityTitle } from "../messages/index.js";
 import { readState, shownFields, stateFromInput, textIn } from "../lib/form_state.js";
 import { shownUnit } from "../lib/units.js";
 import { answerNow, following } from "../store.js";
 import { download } from "./files.js";
 import { sign } from "./parts.js";
-
-const DIGITS = 5;
 
 /** The boxes of an input by path: `{ title, unit, text }`. */
 function boxesOf(model, input) {
@@ -56,12 +54,13 @@ function numbersOf(id, section, elsewhere) {
 function numberRow(title, unit, values, base, better) {
   const known = values.filter((value) => value !== undefined);
   const best = better && known.length > 1 ? (better > 0 ? Math.max(...known) : Math.min(...known)) : undefined;
-  const texts = values.map((value) => (value === undefined ? undefined : quantityParts(value, unit, DIGITS).value));
+  const texts = values.map((value) => (value === undefined ? undefined : quantityParts(value, unit).value));
   const differs = new Set(texts).size > 1;
   return {
     title, unit: shownUnit(unit), differs,
     cells: values.map((value, i) => (value === undefined ? { text: "–" } : {
       text: texts[i],
+      exact: formatQuantity(value, unit, ALL),
       best: differs && best !== undefined && texts[i] === texts[values.indexOf(best)],
       ...(texts[base] !== undefined && texts[i] !== texts[base] && { change: change(value, values[base]), differs: true }),
     })),
@@ -114,7 +113,7 @@ function resultRows(calculator, designs, base) {
 function tableRows(rows) {
   return rows.map(({ title, unit, cells, differs }) => html`
     <tr class="${differs === false && "equal"}"><th scope="row">${title}${unit && html` <span class="unit">${unit}</span>`}</th>${cells.map((cell) => html`
-      <td class="${cell.differs && "differs"} ${cell.best && "best"}">${sign(cell.level)}${cell.best && html`<span class="sign good" title="${message("compare.best")}">★</span>`}${cell.text}${cell.change && html` <small>${cell.change}</small>`}</td>`)}</tr>`);
+      <td class="${cell.differs && "differs"} ${cell.best && "best"}" title="${cell.exact ?? ""}">${sign(cell.level)}${cell.best && html`<span class="sign good" title="${message("compare.best")}">★</span>`}${cell.text}${cell.change && html` <small>${cell.change}</small>`}</td>`)}</tr>`);
 }
 
 /**

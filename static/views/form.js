@@ -1,5 +1,5 @@
 /** The form of a calculator: an outline of sections with fields and choices, made from the form model. */
-import { formatNumber, formatQuantity, inNumerals, quantityParts } from "../lib/format.js";
+import { ALL, formatNumber, formatQuantity, inNumerals, quantityParts } from "../lib/format.js";
 import { judgedOf, levelOfCheck, pathOf, sizedBy } from "../lib/checks.js";
 import { element, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
@@ -208,7 +208,7 @@ export function createForm({ model, calculator, catalogues, lengths, unfolded = 
 
   function noteOf(field, reading, text, filled) {
     if (reading?.readAs !== undefined) return message("form.readAs", { value: String(reading.readAs) });
-    if (reading?.worked) return `= ${formatQuantity(reading.value, field.unit, 12)}`;
+    if (reading?.worked) return `= ${formatQuantity(reading.value, field.unit, ALL)}`;
     const entries = catalogues[field.path];
     if (entries) return properties(entries.find(({ name }) => name === text));
     return suggestions[field.path]?.note?.(filled) ?? "";
@@ -291,7 +291,7 @@ export function createForm({ model, calculator, catalogues, lengths, unfolded = 
       const possible = Number.isFinite(amount);
       if (possible) suggested[path] = amount;
       const { title, unit } = model.fields.get(path);
-      const shown = possible ? formatQuantity(amount, unit) : "–";
+      const shown = possible ? formatQuantity(amount, unit, ALL) : "–";
       fields.get(path).setSuggestion({
         formula,
         possible: possible || linked,
@@ -299,7 +299,7 @@ export function createForm({ model, calculator, catalogues, lengths, unfolded = 
         // As it is seen, with its indices set low: who speaks to the page says that.
         label: message(linked ? "form.link" : "form.suggestion", { title, formula: formula.replaceAll("_", ""), value: shown }),
       });
-      if (linked) fields.get(path).setPlaceholder(possible ? quantityParts(amount, unit).value : "");
+      if (linked) fields.get(path).setPlaceholder(possible ? quantityParts(amount, unit, ALL).value : "");
     }
   }
 

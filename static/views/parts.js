@@ -1,10 +1,9 @@
 /** Small pieces that many views have: signs, symbols, tables, sheets. */
-import { formatNumber, quantityParts, unitOf } from "../lib/format.js";
+import { ALL, digitsOf, formatNumber, formatQuantity, quantityParts, unitOf } from "../lib/format.js";
 import { element, html } from "../lib/html.js";
 import { shownUnit, shownValue } from "../lib/units.js";
 import { message, quantityTitle } from "../messages/index.js";
 
-const LIST_DIGITS = 5;
 const SIGNS = { good: "✓", bad: "✕", warning: "▲" };
 
 /** The sign of a level, so that its colour is never the only one; nothing where there is no level. */
@@ -21,10 +20,10 @@ export function barMarkup(used, level) {
     <path d="M100 0v8"/></svg>`;
 }
 
-/** The numbers of a group beside the results, `[{ label, value, note, level? }]`. */
+/** The numbers of a group beside the results, `[{ label, value, exact?, note, level? }]`. */
 export function cellsMarkup(cells) {
-  return html`${cells.map(({ label, value, note, level }) => html`
-    <div class="cell"><dt>${label}</dt><dd><span class="figures">${sign(level)}${value}</span><span class="note">${note}</span></dd></div>`)}`;
+  return html`${cells.map(({ label, value, exact, note, level }) => html`
+    <div class="cell"><dt>${label}</dt><dd><span class="figures" title="${exact ?? ""}">${sign(level)}${value}</span><span class="note">${note}</span></dd></div>`)}`;
 }
 
 /** Says of what is drawn that it is of older inputs, while it is. */
@@ -79,10 +78,10 @@ export async function busy(button, work) {
 
 /** A list of records, each in a column under its name, a row a quantity; not all of them have every one. */
 export function listMarkup(name, records, nameOf) {
-  const cell = (value, unit) => (value === undefined ? "–" : quantityParts(value, unit, LIST_DIGITS).value);
   const keys = [...new Set(records.flatMap(Object.keys))];
   return html`<div class="grid-rows"><table class="data"><caption>${quantityTitle(name)}</caption>
     <thead><tr><td></td>${records.map((_, i) => html`<th scope="col">${nameOf(i)}</th>`)}</tr></thead>
     <tbody>${keys.map((key) => html`<tr><th scope="row">${quantityTitle(key)}${unitOf(key) && `, ${shownUnit(unitOf(key))}`}</th>
-      ${records.map((record) => html`<td>${cell(record[key], unitOf(key))}</td>`)}</tr>`)}</tbody></table></div>`;
+      ${records.map(({ [key]: value }) => (value === undefined ? html`<td>–</td>`
+    : html`<td title="${formatQuantity(value, unitOf(key), ALL)}">${quantityParts(value, unitOf(key), digitsOf(key)).value}</td>`))}</tr>`)}</tbody></table></div>`;
 }

@@ -1,5 +1,5 @@
 /** The report on paper, as the page stands open, and as one HTML file with everything; inputs as a table. */
-import { quantityParts } from "../lib/format.js";
+import { ALL, quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { listedInputs } from "../lib/form_state.js";
 import { LABELS } from "../lib/url_state.js";
@@ -18,8 +18,8 @@ function valueText(field, value, catalogue) {
   if (typeof value === "string") return said("materials", value) ?? message("option")[value] ?? catalogue?.find(({ name }) => name === value)?.title ?? value;
   if (field.kind === "flag") return message("option")[value];
   if (field.kind === "names") return value.map((name) => said("not_considered", name) ?? quantityTitle(name, field.section)).join("; ");
-  if (Array.isArray(value)) return value.map((one) => quantityParts(one, field.unit, 15).value).join("; ");
-  return typeof value === "number" ? quantityParts(value, field.unit, field.unit ? 10 : 15).value : String(value);
+  if (Array.isArray(value)) return value.map((one) => quantityParts(one, field.unit, ALL).value).join("; ");
+  return typeof value === "number" ? quantityParts(value, field.unit, ALL).value : String(value);
 }
 
 function inputRow({ field, value }, catalogues) {

@@ -1,6 +1,6 @@
 /** All results as tables, a section each; warnings above. */
 import { ASIDE, flattened, listedOf } from "../lib/checks.js";
-import { quantityParts, resultDigits, unitOf } from "../lib/format.js";
+import { ALL, digitsOf, quantityParts, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { shownAsIs, shownUnit } from "../lib/units.js";
 import { levelOf } from "../lib/verdict.js";
@@ -25,7 +25,7 @@ function wordOf(name, value) {
 function asText(value, digits, unit = "", name = "") {
   if (typeof value === "number") {
     const whole = Number.isInteger(value) && shownAsIs(unit);
-    return quantityParts(value, unit, whole ? 15 : digits).value;
+    return quantityParts(value, unit, whole ? ALL : digits).value;
   }
   if (typeof value === "boolean") return message(value ? "results.yes" : "results.no");
   if (typeof value === "string") return wordOf(name, value);
@@ -44,10 +44,10 @@ function asText(value, digits, unit = "", name = "") {
 
 function row([name, value], accuracy, id) {
   const unit = unitOf(name);
-  const text = asText(value, resultDigits(name, accuracy), unit, name);
+  const text = asText(value, digitsOf(name, accuracy), unit, name);
   if (text === null) return null;
   return html`<tr data-name="${name}"><th scope="row">${quantityTitle(name, id)}</th><td class="symbol-cell">${symbolMarkup(symbolOf(name, id))}</td>
-    <td class="value ${text.length > 20 && "long"}">${text}</td><td class="unit-cell">${value.length !== 0 && shownUnit(unit)}</td></tr>`;
+    <td class="value ${text.length > 20 && "long"}" title="${asText(value, ALL, unit, name)}">${text}</td><td class="unit-cell">${value.length !== 0 && shownUnit(unit)}</td></tr>`;
 }
 
 /** A list of flat records that no figure shows, as a table of its own. */
@@ -59,7 +59,7 @@ function records([name, value], elsewhere) {
     title: quantityTitle(name),
     columns: columns.map((column) => ({ title: quantityTitle(column), unit: unitOf(column) })),
     rows: value.map((record) => columns.map((column) =>
-      (typeof record[column] === "number" ? record[column] : asText(record[column], 6, unitOf(column), column) ?? "–"))),
+      (typeof record[column] === "number" ? record[column] : asText(record[column], digitsOf(column), unitOf(column), column) ?? "–"))),
   });
 }
 

@@ -19,7 +19,7 @@ function histogramMarkup({ title, unit, histogram, marks }, barsOf) {
     <svg viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="none" aria-hidden="true">
       ${bars.map(({ x, width, height }) => html`<rect x="${px(x, WIDTH)}" y="${px(1 - 0.95 * height, HEIGHT)}" width="${px(width, WIDTH)}" height="${px(0.95 * height, HEIGHT)}"/>`)}
       ${lines.map(({ id, x }, i) => html`<line class="mark-${id === "limit" || id === "nominal" ? id : i}" x1="${px(x, WIDTH)}" x2="${px(x, WIDTH)}" y1="0" y2="${HEIGHT}"/>`)}
-    </svg><p class="ends" aria-hidden="true"><span>${formatQuantity(low, unit, 4)}</span><span>${formatQuantity(high, unit, 4)}</span></p></div>`;
+    </svg><p class="ends" aria-hidden="true"><span>${formatQuantity(low, unit)}</span><span>${formatQuantity(high, unit)}</span></p></div>`;
 }
 
 function quantityMarkup(quantity, barsOf) {

@@ -5,18 +5,18 @@
 import {
   assumedIn, checkRow, coldYield, decisive, isLimited, judgedOf, levelOfWord, notConsidered, partRow, torqueUnknown, unknownIn, usuallyOf, wordNote, wordOf, wordText,
 } from "../lib/checks.js";
-import { formatQuantity, quantityParts } from "../lib/format.js";
+import { ALL, formatQuantity, quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { shownUnit } from "../lib/units.js";
 import { message } from "../messages/index.js";
 import { answerNow, following, standing, UNANSWERED } from "../store.js";
 import { barMarkup, sign } from "./parts.js";
 
-function cellMarkup({ label, value, unit, note, level }) {
+function cellMarkup({ label, value, exact, unit, note, level }) {
   return html`
     <div class="cell ${level ?? ""}">
       <dt>${label}</dt>
-      <dd><span class="figures">${value ?? "–"}</span>${unit && html`<span class="figures-unit">${unit}</span>`}
+      <dd><span class="figures" title="${exact ?? ""}">${value ?? "–"}</span>${unit && html`<span class="figures-unit">${unit}</span>`}
         <span class="note">${sign(level)}${note ?? message("verdict.missing")}</span></dd>
     </div>`;
 }
@@ -46,7 +46,7 @@ function governingMarkup(judged, titles) {
 
 /** Largest torque and verdict of the design with what is usual. */
 const becomes = ({ largest_torque_Nm: torque, verdict }) =>
-  [torque !== undefined && formatQuantity(torque, "N·m", 3), wordText({ verdict })].filter(Boolean).join(", ");
+  [torque !== undefined && formatQuantity(torque, "N·m"), wordText({ verdict })].filter(Boolean).join(", ");
 
 /** What becomes of the design with a usual clearance, and with a usual ring of pins; or that it is looked for. */
 function usualMarkup({ sought, fit, ring }) {
@@ -56,7 +56,7 @@ function usualMarkup({ sought, fit, ring }) {
   })}</p>`}${ring && html`<details class="note usual"><summary>${message("checks.usualRing", { made: message(`checks.rings.${ring.class}`), result: becomes(ring) })}</summary>
     ${message("checks.usualRingMade", {
       modification: formatQuantity(ring.equidistant_mm, "mm", 3), zone: formatQuantity(ring.pin_zone_diameter_mm, "mm", 3),
-      pressure: formatQuantity(ring.max_pressure_MPa.percent_90, "MPa", 4),
+      pressure: formatQuantity(ring.max_pressure_MPa.percent_90, "MPa"),
     })}</details>`}`;
 }
 
@@ -77,9 +77,9 @@ function torqueMarkup({ numbers }, judged, usual, sought) {
   }
   if (sought) return html`${label}<p class="sought"><span class="figures">…</span> <span class="figures-unit">${shownUnit("N·m")}</span></p>${usual && usualMarkup(usual)}`;
   if (largest === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>${usual && usualMarkup(usual)}`;
-  const { value, unit } = quantityParts(largest, "N·m", 4);
+  const { value, unit } = quantityParts(largest, "N·m");
   const reserve = judged.torque_reserve && barMarkup(1 / judged.torque_reserve, judged.torque_reserve < 1 ? "bad" : "good");
-  return html`${label}<p><span class="figures">${value}</span> <span class="figures-unit">${unit}</span></p>${reserve}${usual && usualMarkup(usual)}`;
+  return html`${label}<p><span class="figures" title="${formatQuantity(largest, "N·m", ALL)}">${value}</span> <span class="figures-unit">${unit}</span></p>${reserve}${usual && usualMarkup(usual)}`;
 }
 
 /** A chip for each part: its mark, its name; a click leads to its check or to what it lacks. */

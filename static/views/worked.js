@@ -1,6 +1,6 @@
 /** Every result worked from its formula: a section each, folded; asked of the service and built when it is opened. */
 import { newestOnly } from "../lib/api.js";
-import { formatNumber, formatQuantity, quantityParts, resultDigits, unitOf } from "../lib/format.js";
+import { ALL, digitsOf, formatNumber, formatQuantity, quantityParts, unitOf } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message, quantityTitle, said } from "../messages/index.js";
 import { mathml, mathSymbol, plainSymbol, plainText } from "../lib/formula/mathml.js";
@@ -9,6 +9,7 @@ import { shownAsIs } from "../lib/units.js";
 import { passingText } from "../service_texts.js";
 import { following } from "../store.js";
 
+const WORKED = 6; // digits of what is to be calculated again by hand
 const CODES = { criterion: "criteria", source: "sources" }; // parameters of a note that have words of their own
 const AFTER = "after "; // before the number of an equation that a formula follows
 
@@ -20,7 +21,7 @@ const EQUAL = html`<mo form="infix">=</mo>`;
 
 /** `= value`, written and spoken. */
 function equals(value, unit, digits) {
-  const shown = quantityParts(value, unit, Number.isInteger(value) && shownAsIs(unit) ? 15 : digits);
+  const shown = quantityParts(value, unit, Number.isInteger(value) && shownAsIs(unit) ? ALL : digits);
   const own = unit && html`<mtext>${unit === "°" ? "°" : `\u202f${shown.unit}`}</mtext>`;
   return [html`${EQUAL}<mn>${shown.value}</mn>${own}`, `= ${formatQuantity(value, unit, digits)}`];
 }
@@ -48,7 +49,7 @@ function formulas({ symbol, formula, names, values: given, code, result: value }
 function noteText(code, params = {}) {
   const words = ([name, value]) => {
     if (typeof value === "string") return said(CODES[name], value) ?? value;
-    return unitOf(name) ? formatQuantity(value, unitOf(name)) : formatNumber(value, 15);
+    return unitOf(name) ? formatQuantity(value, unitOf(name)) : formatNumber(value);
   };
   return said("worked_notes", code, Object.fromEntries(Object.entries(params).map((param) => [param[0], words(param)])));
 }
@@ -67,7 +68,7 @@ function stepMarkup(step, section, accuracy) {
     <li class="step" data-name="${code}">
       <p class="step-head"><span class="step-title">${said("worked_values", code) ?? quantityTitle(code, section)}</span>
         ${source && html`<span class="step-source">${sourceText(step)}</span>`}</p>
-      <div class="formulas">${formulas(step, resultDigits(code, accuracy))}</div>
+      <div class="formulas">${formulas(step, digitsOf(code, accuracy, WORKED))}</div>
       ${note && html`<p class="step-note">${noteText(note, params)}</p>`}
       ${erratum && html`<p class="step-note erratum">${message("worked.corrected", {
         words: said("worked_errata", erratum),

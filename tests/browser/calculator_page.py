@@ -128,7 +128,10 @@ def words_at(page: Page, path: str) -> Locator:
 
 
 def result(page: Page, name: str) -> float:
-    return number(page.locator(f'.results [data-name="{name}"] .value').text_content() or "")
+    """A number of the results with all the digits that it has for who points at it."""
+    return number(
+        page.locator(f'.results [data-name="{name}"] .value').get_attribute("title") or ""
+    )
 
 
 def number(text: str) -> float:

@@ -31,9 +31,9 @@ test("one wrong hole: the parts go together, and jam between the pairs that are 
   const [state, least, greatest] = fit.cells({ fit: JAMS });
   assert.deepEqual([state.value, state.level], ["go together, but jam", "bad"]);
   assert.equal(state.note, "between pin 1 of satellite 1 (driving side) and pin 4 of satellite 1 (reverse side)");
-  assert.match(`${least.value}; ${least.note}; ${greatest.value}; ${greatest.note}`, /^−0.9001\s*mm; −208.4′ .*257.14°; 0.1\s*mm; 32.55′/);
+  assert.match(`${least.value}; ${least.note}; ${greatest.value}; ${greatest.note}`, /^−0.9001\s*mm; −208.4′ .*257.1°; 0.1\s*mm; 32.55′/);
   const [jams, needed, place, elastic] = wordsOf(JAMS);
-  assert.match(jams, /30.4 % of the crank angles and jam at the others: 137.75 to 376.54°, again every 342.86°.* 0.9001\s*mm is missing between pin 1/);
+  assert.match(jams, /30.4 % of the crank angles and jam at the others: 137.8 to 376.5°, again every 342.9°.* 0.9001\s*mm is missing between pin 1/);
   assert.match(needed, /all holes of radius 4.50006\s*mm/);
   assert.match(place, /only one of the pins or holes/);
   assert.match(elastic, /0.003835\s*mm of a pair, under 1687\s*N/);

@@ -2,8 +2,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import {
-  formatAngle, formatDuration, formatNumber, formatQuantity, parseNumber, parseNumbers, shownDigits, tidy, unitOf,
+  formatAngle, formatDuration, formatNumber, formatQuantity, parseNumber, parseNumbers, shownDigits, tidy, unitOf, written,
 } from "../../static/lib/format.js";
+import { quantityCell } from "../../static/lib/verdict.js";
 import { valuesMarkup } from "../../static/views/results.js";
 import { groupMarkup } from "../../static/views/worked.js";
 
@@ -82,8 +83,8 @@ test("what is no finite number is never shown", () => {
 });
 
 test("the stated accuracy limits the digits", () => {
-  assert.equal(shownDigits(1e-15), 6);
-  assert.equal(shownDigits(0), 6);
+  assert.equal(shownDigits(1e-15), 4);
+  assert.equal(shownDigits(0), 4);
   assert.equal(shownDigits(1e-3), 3);
   assert.equal(shownDigits(0.014), 1);
   assert.equal(shownDigits(2), 1);
@@ -92,13 +93,21 @@ test("the stated accuracy limits the digits", () => {
 test("what follows from the request alone keeps its digits beside numbers of a larger error", () => {
   const section = { relative_speed_rpm: 1514.117647, peak_load_N: 13099.5928, accuracy: { relative_error: 4e-3 } };
   const shown = valuesMarkup("satellite_bearing", section, [], {}).toString().match(/(?<=class="value[^>]*>)[^<]+/g);
-  assert.deepEqual(shown, [formatNumber(1514.12), formatNumber(13000)]);
+  assert.deepEqual(shown, [formatNumber(1514), formatNumber(13000)]);
   const steps = [{
     section: "satellite_bearing", code: "relative_speed_rpm", symbol: "n", formula: "n_1*(1+1/u)", names: { n_1: "input_speed_rpm", u: "ratio" },
     values: { n_1: 1430.25, u: 17.0625 }, result: section.relative_speed_rpm, unit: "rpm",
   }];
   const worked = groupMarkup({ section: "satellite_bearing", steps }, section.accuracy).toString();
   for (const number of [1514.12, 1430.25, 17.0625]) assert.ok(worked.includes(`<mn>${formatNumber(number)}</mn>`), worked);
+});
+
+test("three or four digits are shown, all are there for who points at them; of a rough model three", () => {
+  const section = { peak_force_N: 888.230769231, life_h: 12345.678, accuracy: { relative_error: 1e-15 } };
+  assert.deepEqual([written(section, "peak_force_N"), written(section, "life_h")], ["888.2\u00a0N", "12\u202f300\u00a0h"]);
+  assert.equal(quantityCell(section, "peak_force_N").exact, "888.230769231\u00a0N");
+  const cells = valuesMarkup("contact_force", section, [], {}).toString().match(/title="[^"]+">[^<]+/g);
+  assert.deepEqual(cells, ['title="888.230769231">888.2', 'title="12\u202f345.678">12\u202f300']);
 });
 
 test("units come from the ending of the API name, the longest first", () => {

@@ -66,6 +66,6 @@ test("the verdict gives deflections and the sizes of the reactions", () => {
       reaction_B_N: [3, -4], reaction_C_N: [0, 12],
     },
   });
-  assert.equal(cell.value, "0.0262");
+  assert.equal(cell.value, "0.02625");
   assert.match(cell.note, /0\.0104.*B 5\u00a0N, C 12\u00a0N/);
 });

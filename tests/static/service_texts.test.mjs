@@ -83,11 +83,11 @@ test("a mechanism that cannot work is a sentence with its place", async () => {
     errors: [{ pointer: "", code: "dead_centre", params: { crank_angle_deg: 85.714285714 }, detail: "no pair drives" }],
   });
   const text = "The mechanism cannot transmit torque (RV drives, whose output two or three crankshafts turn, are not calculated): "
-    + "no pair drives (crank angle = 85.7143°)";
+    + "no pair drives (crank angle = 85.71°)";
   assert.equal(problemText(refusal, TITLES), text);
   assert.deepEqual(refusalTexts(refusal, [], TITLES), { at: {}, elsewhere: [text] });
   await useLanguage("uk");
-  assert.match(problemText(refusal, TITLES), /^Мертве положення.*85,7143°\)$/);
+  assert.match(problemText(refusal, TITLES), /^Мертве положення.*85,71°\)$/);
 });
 
 test("every place of a refusal is said in words, in every language, whether or not the page has such a field", async () => {

@@ -16,11 +16,11 @@ function worstOf({ satellites }) {
 export function cells(section) {
   const satellite = worstOf(section) + 1;
   const own = section.satellites[satellite - 1];
-  const ratio = written(section, "radial_force_ratio", 3);
+  const ratio = written(section, "radial_force_ratio");
   return [
-    quantityCell(own, "equivalent_load_N", 4, message("bearings.peak", { satellite, peak: written(own, "peak_load_N", 4) })),
-    quantityCell(own, "life_h", 3, own.life_h === undefined ? message("bearings.noRating") : message("bearings.basic", { life: written(own, "basic_life_h", 3) })),
-    quantityCell(own, "static_safety_factor", 3, message("bearings.ring", { ratio }), quantityTitle("static_rating_safety")),
+    quantityCell(own, "equivalent_load_N", message("bearings.peak", { satellite, peak: written(own, "peak_load_N") })),
+    quantityCell(own, "life_h", own.life_h === undefined ? message("bearings.noRating") : message("bearings.basic", { life: written(own, "basic_life_h") })),
+    quantityCell(own, "static_safety_factor", message("bearings.ring", { ratio }), quantityTitle("static_rating_safety")),
   ];
 }
 

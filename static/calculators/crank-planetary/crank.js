@@ -10,12 +10,12 @@ export const figure = { id: "crank", section: "crankshaft", path: "/crankshaft/c
 const LETTERS = ["A", "B"];
 
 export function cells({ bearings, balance }) {
-  const lasts = (bearing) => (bearing.basic_life_h === undefined ? message("crank.equivalent", { load: written(bearing, "equivalent_N", 4) })
-    : message("crank.life", { life: written(bearing, "basic_life_h", 3) }));
+  const lasts = (bearing) => (bearing.basic_life_h === undefined ? message("crank.equivalent", { load: written(bearing, "equivalent_N") })
+    : message("crank.life", { life: written(bearing, "basic_life_h") }));
   return [
-    ...bearings.map((bearing, i) => quantityCell(bearing, "peak_N", 4, lasts(bearing), message("crank.bearing", { letter: LETTERS[i] }))),
-    balance && quantityCell(balance, "unbalance_kg_mm", 3, message("crank.left", {
-      force: written(balance, "force_N", 3), couple: written(balance, "couple_Nm", 3),
+    ...bearings.map((bearing, i) => quantityCell(bearing, "peak_N", lasts(bearing), message("crank.bearing", { letter: LETTERS[i] }))),
+    balance && quantityCell(balance, "unbalance_kg_mm", message("crank.left", {
+      force: written(balance, "force_N"), couple: written(balance, "couple_Nm"),
     })),
   ].filter(Boolean);
 }

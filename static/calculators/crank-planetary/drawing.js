@@ -191,7 +191,7 @@ function placeDetail(parts, { m, directions, pins, driving, force, real }, i) {
   if (driving[i] && !force) return ""; // until the forces are known
   const drives = real ? "drawing.carries" : "drawing.drives";
   return message(driving[i] ? drives : "drawing.idle", {
-    ...m.pairs[i], force: formatQuantity(value, "N", 4),
+    ...m.pairs[i], force: formatQuantity(value, "N"),
   });
 }
 

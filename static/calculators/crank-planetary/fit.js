@@ -22,8 +22,8 @@ export const drawable = ({ fit }) => fit.state !== "no_bound";
 
 export const figure = { id: "fit", path: "/fit/chart", height: 420 };
 
-const mm = (value) => formatQuantity(tidy(value), "mm", 4);
-const arcmin = (value) => (value === undefined ? "" : message("fit.turns", { angle: formatQuantity(value, "′", 4) }));
+const mm = (value) => formatQuantity(tidy(value), "mm");
+const arcmin = (value) => (value === undefined ? "" : message("fit.turns", { angle: formatQuantity(value, "′") }));
 const pairText = ({ satellite, pin, side }) => message(`fit.${side}`, { satellite, pin });
 
 /** The pairs that limit the room, those of either sense against each other. */
@@ -60,12 +60,12 @@ export function cells({ fit }) {
 }
 
 /** A crank angle within the turn of the wave, after which all comes again. */
-const stretch = ([from, to]) => range(from, to, "°", 5);
+const stretch = ([from, to]) => range(from, to, "°");
 
 /** What the numbers mean, `[level, sentence]`. */
 export function sentences({ fit }, body, titles) {
   const { state, misfit, binding, blocked_crank_deg: blocked = [], blocked_share: share, elastic = {} } = fit;
-  const size = (radius) => formatQuantity(radius, inDiameters() ? DIAMETER : "mm", 6);
+  const size = (radius) => formatQuantity(radius, inDiameters() ? DIAMETER : "mm", 6); // to be made, and a hair decides
   const holes = inDiameters() ? message("fit.diameter") : message("fit.radius");
   const said = (code) => `${warningText({ code, params: {} }, titles)}`.replace(/[^.]$/, "$&.");
   if (state === "no_bound") return [["bad", message("fit.unheld", { holes, size: size(fit.largest_hole_radius_mm) })]];
@@ -75,7 +75,7 @@ export function sentences({ fit }, body, titles) {
     all.push(["bad", message("fit.jams", {
       share: formatNumber(100 * (1 - share), 3), pairs: bindingText(binding), missing: mm(-fit.least_room_mm),
       places: blocked.slice(0, MOST_PLACES).map(stretch).join("; ") + (blocked.length > MOST_PLACES ? " …" : ""),
-      turn: formatAngle(blocked.reduce((sum, [from, to]) => sum + to - from, 0) / share, 5),
+      turn: formatAngle(blocked.reduce((sum, [from, to]) => sum + to - from, 0) / share),
     })]);
   } else if (misfit === "cannot_assemble") all.push(["bad", message("fit.misses", { pairs: bindingText(binding), missing: mm(-fit.least_room_mm) })]);
   else all.push([LEVELS[misfit] ?? "bad", said(misfit)]);
@@ -84,7 +84,7 @@ export function sentences({ fit }, body, titles) {
     if (fit.blocked_crank_deg || misfit === "cannot_assemble") all.push(["", message("fit.orPlace")]);
   }
   if (state !== "fits" && elastic.limit_mm !== undefined) {
-    all.push(["", message("fit.elastic", { limit: mm(elastic.limit_mm), force: formatQuantity(elastic.limit_force_N, "N", 4) })]);
+    all.push(["", message("fit.elastic", { limit: mm(elastic.limit_mm), force: formatQuantity(elastic.limit_force_N, "N") })]);
   }
   return all;
 }
@@ -94,9 +94,9 @@ export function rows({ fit }) {
   const { elastic = {}, renumbered } = fit;
   return [
     fit.blocked_share !== undefined && [message("fit.blocked"), `${formatNumber(100 * fit.blocked_share, 3)}\u00a0%`],
-    elastic.force_without_load_N !== undefined && [message("fit.force"), formatQuantity(elastic.force_without_load_N, "N", 4)],
-    elastic.pressure_without_load_MPa !== undefined && [message("fit.pressure"), formatQuantity(elastic.pressure_without_load_MPa, "MPa", 4)],
-    elastic.limit_mm !== undefined && fit.state === "fits" && [message("fit.limit"), `${mm(elastic.limit_mm)}; ${formatQuantity(elastic.limit_force_N, "N", 4)}`],
+    elastic.force_without_load_N !== undefined && [message("fit.force"), formatQuantity(elastic.force_without_load_N, "N")],
+    elastic.pressure_without_load_MPa !== undefined && [message("fit.pressure"), formatQuantity(elastic.pressure_without_load_MPa, "MPa")],
+    elastic.limit_mm !== undefined && fit.state === "fits" && [message("fit.limit"), `${mm(elastic.limit_mm)}; ${formatQuantity(elastic.limit_force_N, "N")}`],
     renumbered && [message("fit.renumbered"), renumbered.join("; ")],
   ].filter(Boolean);
 }

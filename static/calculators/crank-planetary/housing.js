@@ -7,7 +7,7 @@ export const path = "/crank-planetary";
 export function cells(section) {
   const [around, near, far] = section.of.map((part) => message(`option.${part}`));
   return [
-    quantityCell(section, "outer_diameter_mm", 6, message("housing.around", { around })),
-    quantityCell(section, "length_mm", 6, message("housing.along", { near, far })),
+    quantityCell(section, "outer_diameter_mm", message("housing.around", { around })),
+    quantityCell(section, "length_mm", message("housing.along", { near, far })),
   ];
 }

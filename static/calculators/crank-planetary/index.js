@@ -5,7 +5,7 @@
  * theory suggests, what the verdict reads from the answer, which figures there are.
  */
 import { cell, stated } from "../../lib/verdict.js";
-import { formatAngle, formatNumber, formatQuantity, shownDigits, tidy } from "../../lib/format.js";
+import { digitsOf, formatAngle, formatNumber, formatQuantity, tidy } from "../../lib/format.js";
 import { pairsOf } from "../../lib/chart.js";
 import { DIAMETER, inDiameters } from "../../lib/units.js";
 import { message, quantityTitle } from "../../messages/index.js";
@@ -55,8 +55,8 @@ function isSolved({ contact, contact_law, pin, gear }) {
 function clearanceNote(input) {
   const clearance = clearanceOf(input);
   if (!(Math.abs(clearance) > 1e-9)) return "";
-  if (clearance > 0) return message("form.clearance", { value: formatQuantity(clearance, "mm", 4) });
-  return message("form.interference", { value: formatQuantity(-clearance, inDiameters() ? DIAMETER : "mm", 4) });
+  if (clearance > 0) return message("form.clearance", { value: formatQuantity(clearance, "mm") });
+  return message("form.interference", { value: formatQuantity(-clearance, inDiameters() ? DIAMETER : "mm") });
 }
 
 /** Tooth numbers of exactly this ratio, with the least difference; none where there are none. */
@@ -90,12 +90,12 @@ function pairsCell(section, real) {
 function peakCell(section, input, id) {
   const factor = factorOf(input);
   const at = message("verdict.peakAt", {
-    angle: formatAngle(section.peak_crank_angle_deg, shownDigits(section.accuracy.relative_error, 5)),
+    angle: formatAngle(section.peak_crank_angle_deg, digitsOf("", section.accuracy)),
     ...section.peak_pair,
   });
   return {
     label: quantityTitle("peak_force_N", id),
-    ...stated(section, "peak_force_N", 6),
+    ...stated(section, "peak_force_N"),
     note: factor === 1 ? at : `${at}; ${message("verdict.withoutFactors", { factor: formatNumber(factor, 4) })}`,
   };
 }
@@ -104,7 +104,7 @@ function pressureCell(section, { requirements }) {
   const { governing_pressure_MPa: pressure, safety_factor: safety, line_load_factor: edge = 1 } = section;
   const { conformal_half_angle_pin_deg: angle } = section;
   return {
-    ...(pressure !== undefined && stated(section, "governing_pressure_MPa", 4)),
+    ...(pressure !== undefined && stated(section, "governing_pressure_MPa")),
     note: [
       safety !== undefined && message("verdict.safety", { safety: formatNumber(safety, 3), asked: formatNumber(requirements.pitting_safety, 3) }),
       edge !== 1 && message("verdict.edge", { factor: formatNumber(edge, 3) }),

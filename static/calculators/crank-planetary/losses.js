@@ -8,8 +8,8 @@ export const figure = { id: "losses", section: "output_efficiency", path: "/outp
 
 export function cells(section) {
   return [
-    quantityCell(section, "efficiency", 4, message("losses.least", { value: written(section, "min_efficiency", 4) })),
-    quantityCell(section, "mean_loss_W", 4, message("losses.of", { power: written(section, "output_power_W", 4) })),
-    quantityCell(section, "peak_pv_MPa_m_per_s", 3, message("losses.at", { speed: written(section, "sliding_speed_m_per_s", 3) })),
+    quantityCell(section, "efficiency", message("losses.least", { value: written(section, "min_efficiency") })),
+    quantityCell(section, "mean_loss_W", message("losses.of", { power: written(section, "output_power_W") })),
+    quantityCell(section, "peak_pv_MPa_m_per_s", message("losses.at", { speed: written(section, "sliding_speed_m_per_s") })),
   ];
 }

@@ -16,8 +16,8 @@ function noteOf({ count, estimate, reason }) {
 
 export function cells(section) {
   return [
-    quantityCell(section, "mass_kg", 4, message("mass.of")),
-    quantityCell(section, "inertia_kg_m2", 3),
-    ...section.parts.map((part) => quantityCell(part, "mass_kg", 3, noteOf(part), message(`${NAMED.includes(part.code) ? "option" : "mass"}.${part.code}`))),
+    quantityCell(section, "mass_kg", message("mass.of")),
+    quantityCell(section, "inertia_kg_m2"),
+    ...section.parts.map((part) => quantityCell(part, "mass_kg", noteOf(part), message(`${NAMED.includes(part.code) ? "option" : "mass"}.${part.code}`))),
   ];
 }

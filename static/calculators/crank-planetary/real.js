@@ -32,7 +32,7 @@ export function ask({ client, body, signal }) {
 }
 
 /** From one value to another, with the unit once; one value where both read the same. */
-export function range(from, to, unit, digits = 4) {
+export function range(from, to, unit, digits) {
   const [least, most] = [from, to].map((value) => quantityParts(value, unit, digits).value);
   const last = formatQuantity(to, unit, digits);
   return least === most ? last : message("real.range", { from: least, to: last });
@@ -62,18 +62,18 @@ export const note = "real.lines";
 export function cells({ over_turn: turn, ideal }) {
   const at = message("verdict.peakAt", { angle: formatAngle(turn.peak_crank_angle_deg), ...turn.peak_pair });
   return [
-    quantityCell(turn, "peak_force_N", 5, at, quantityTitle("peak_force_N", "load_sharing")),
-    quantityCell(ideal, "ratio", 4, message("real.ideal", { force: written(ideal, "peak_force_N", 5) }), message("real.ratio")),
-    quantityCell(turn, "backlash_max_arcmin", 4, message("real.least", { value: written(turn, "backlash_min_arcmin", 4) })),
+    quantityCell(turn, "peak_force_N", at, quantityTitle("peak_force_N", "load_sharing")),
+    quantityCell(ideal, "ratio", message("real.ideal", { force: written(ideal, "peak_force_N") }), message("real.ratio")),
+    quantityCell(turn, "backlash_max_arcmin", message("real.least", { value: written(turn, "backlash_min_arcmin") })),
   ];
 }
 
 /** The rest as rows: `[title, value]`. */
 export function rows({ over_turn: turn, clearance_mm: clearance }, { lost_motion_torque_share: share = 0.03 }) {
-  const own = (name) => [quantityTitle(name, "load_sharing"), written(turn, name, 4)];
+  const own = (name) => [quantityTitle(name, "load_sharing"), written(turn, name)];
   return [
-    [message("choice.play.radial"), formatQuantity(clearance, "mm", 4)],
-    [message("real.lostMotion", { share: formatNumber(100 * share, 3) }), written(turn, "lost_motion_arcmin", 4)],
+    [message("choice.play.radial"), formatQuantity(clearance, "mm")],
+    [message("real.lostMotion", { share: formatNumber(100 * share, 3) }), written(turn, "lost_motion_arcmin")],
     own("transmission_error_arcmin"),
     own("unloaded_transmission_error_arcmin"),
     [message("real.stiffness"), range(turn.stiffness_min_Nm_per_arcmin, turn.stiffness_max_Nm_per_arcmin, "N·m/′")],

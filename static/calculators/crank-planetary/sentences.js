@@ -15,12 +15,12 @@ function transmission({ min_driving: least, max_driving: most, mean_driving: mea
 }
 
 function evenness({ peak_force_N: peak, equal_sharing_peak_N: equal }) {
-  return ["", say("even", { peak: formatQuantity(peak, "N", 4), share: formatNumber(peak / equal, 3) })];
+  return ["", say("even", { peak: formatQuantity(peak, "N"), share: formatNumber(peak / equal, 3) })];
 }
 
 /** The peak of the mechanism as it is made, beside the ideal one. */
 function made({ peak_force_N: peak }, { peak_force_N: real }) {
-  return ["", say("made", { real: formatQuantity(real, "N", 4), peak: formatQuantity(peak, "N", 4) })];
+  return ["", say("made", { real: formatQuantity(real, "N"), peak: formatQuantity(peak, "N") })];
 }
 
 /** What stands between the peak force and the force that the pressure is of: the product of the factors, 1 for none. */
@@ -30,7 +30,7 @@ export const factorOf = ({ load, contact } = {}) => (load?.application_factor ??
 function pressed({ peak_force_N: peak }, { line_load_factor: edge = 1 }, factor) {
   if (factor === 1 && edge === 1) return null;
   return ["", say(edge === 1 ? "factors" : "bentFactors", {
-    force: formatQuantity(peak * factor * edge, "N", 4), factor: formatNumber(factor, 4), edge: formatNumber(edge, 3),
+    force: formatQuantity(peak * factor * edge, "N"), factor: formatNumber(factor, 4), edge: formatNumber(edge, 3),
   })];
 }
 

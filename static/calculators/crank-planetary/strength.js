@@ -22,20 +22,20 @@ export const bounds = {
 export function cells(section) {
   const { static_safety_factor: yields, fatigue, deflection, tie_ring: ring, bolt } = section;
   const stress = yields === undefined ? message("strength.noYield") : message("strength.yield", { safety: formatNumber(yields, 3) });
-  const cycle = fatigue ? message("strength.cycle", { from: written(fatigue, "min_stress_MPa", 4), to: written(fatigue, "max_stress_MPa", 4) })
+  const cycle = fatigue ? message("strength.cycle", { from: written(fatigue, "min_stress_MPa"), to: written(fatigue, "max_stress_MPa") })
     : message("strength.noFatigue");
   const opens = bolt?.opening_moment_Nm === undefined ? message("strength.noPreload")
-    : message(bolt.holds ? "strength.boltHolds" : "strength.boltAlone", { opens: written(bolt, "opening_moment_Nm", 4) });
+    : message(bolt.holds ? "strength.boltHolds" : "strength.boltAlone", { opens: written(bolt, "opening_moment_Nm") });
   return [
-    quantityCell(section, "peak_equivalent_stress_MPa", 4, stress),
-    quantityCell(fatigue ?? {}, "safety_factor", 3, cycle, quantityTitle("fatigue_safety_factor")),
-    deflection && quantityCell(deflection, "deflection_mm", 3, message("strength.slope", {
-      satellite: deflection.satellite, sloping: deflection.slope_satellite, slope: written(deflection, "slope_mrad", 3),
+    quantityCell(section, "peak_equivalent_stress_MPa", stress),
+    quantityCell(fatigue ?? {}, "safety_factor", cycle, quantityTitle("fatigue_safety_factor")),
+    deflection && quantityCell(deflection, "deflection_mm", message("strength.slope", {
+      satellite: deflection.satellite, sloping: deflection.slope_satellite, slope: written(deflection, "slope_mrad"),
     })),
-    ring && quantityCell(ring, "peak_force_N", 4, message("strength.ringMoves", {
-      shift: written(ring, "shift_mm", 3), turn: written(ring, "turn_mrad", 3),
+    ring && quantityCell(ring, "peak_force_N", message("strength.ringMoves", {
+      shift: written(ring, "shift_mm"), turn: written(ring, "turn_mrad"),
     }), quantityTitle("tie_ring_peak_force_N")),
-    bolt && quantityCell(bolt, "moment_Nm", 4, opens, message("strength.bolt")),
+    bolt && quantityCell(bolt, "moment_Nm", opens, message("strength.bolt")),
   ].filter(Boolean);
 }
 

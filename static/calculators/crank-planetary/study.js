@@ -29,7 +29,7 @@ function estimate(one, unit) {
 /** A quantity for its table and figure. */
 export function quantityOf(name, of) {
   const unit = unitOf(name);
-  const amount = (value) => formatQuantity(value, unit, 4);
+  const amount = (value) => formatQuantity(value, unit);
   const marks = [
     ...(of.nominal === undefined ? [] : [
       { id: "nominal", title: message("study.nominal"), at: of.nominal, value: amount(of.nominal), interval: "" },

@@ -19,7 +19,7 @@ export const figure = {
 };
 
 const lost = (efficiency) => (efficiency === undefined ? message("teeth.noFriction")
-  : message("teeth.efficiency", { efficiency: written(efficiency, "efficiency", 4) }));
+  : message("teeth.efficiency", { efficiency: written(efficiency, "efficiency") }));
 
 /** How the tips of involute teeth pass each other. */
 function tipsOf({ tips_overlap_all_round: overlap, tip_interference_G: room }) {
@@ -29,29 +29,29 @@ function tipsOf({ tips_overlap_all_round: overlap, tip_interference_G: room }) {
 
 function involuteCells({ geometry, stresses, efficiency }) {
   return [
-    quantityCell(stresses, "pressure_one_pair_start_MPa", 4, message("teeth.start", { force: written(stresses, "normal_force_N", 4) })),
-    quantityCell(geometry, "contact_ratio", 3, tipsOf(geometry)),
-    quantityCell(geometry, "backlash_arcmin", 4, lost(efficiency), quantityTitle("geometry_backlash_arcmin")),
+    quantityCell(stresses, "pressure_one_pair_start_MPa", message("teeth.start", { force: written(stresses, "normal_force_N") })),
+    quantityCell(geometry, "contact_ratio", tipsOf(geometry)),
+    quantityCell(geometry, "backlash_arcmin", lost(efficiency), quantityTitle("geometry_backlash_arcmin")),
   ];
 }
 
 export function cells({ over_turn: turn, ideal, efficiency, ...involute }) {
   if (turn === undefined) return involuteCells({ ...involute, efficiency });
-  const pressure = quantityCell(turn, "max_pressure_MPa", 4, message("teeth.peak", {
-    ...turn.peak_pair, force: written(turn, "peak_force_N", 4), times: written(turn, "peak_force_ratio", 3),
+  const pressure = quantityCell(turn, "max_pressure_MPa", message("teeth.peak", {
+    ...turn.peak_pair, force: written(turn, "peak_force_N"), times: written(turn, "peak_force_ratio"),
   }));
   if (turn.backlash_max_arcmin === undefined) { // both meshes in series, whose play and stiffness are elsewhere
     const lag = { lag_arcmin: Math.max(turn.lag_max_arcmin, -turn.lag_min_arcmin) };
     return [
       pressure,
-      quantityCell(lag, "lag_arcmin", 4, message("teeth.both"), message("teeth.lag")),
-      ...(efficiency === undefined ? [] : [quantityCell(efficiency, "efficiency", 4, message("teeth.alone"))]),
+      quantityCell(lag, "lag_arcmin", message("teeth.both"), message("teeth.lag")),
+      ...(efficiency === undefined ? [] : [quantityCell(efficiency, "efficiency", message("teeth.alone"))]),
     ];
   }
-  const play = ideal.backlash_arcmin === undefined ? message("teeth.jams") : message("teeth.many", { backlash: written(ideal, "backlash_arcmin", 4) });
+  const play = ideal.backlash_arcmin === undefined ? message("teeth.jams") : message("teeth.many", { backlash: written(ideal, "backlash_arcmin") });
   return [
     pressure,
-    quantityCell(turn, "backlash_max_arcmin", 4, play),
-    quantityCell(turn, "transmission_error_arcmin", 4, lost(efficiency)),
+    quantityCell(turn, "backlash_max_arcmin", play),
+    quantityCell(turn, "transmission_error_arcmin", lost(efficiency)),
   ];
 }

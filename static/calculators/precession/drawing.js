@@ -106,7 +106,7 @@ function stripView(axis, plane, input, section, curve, x, newton, factor) {
       const side = deflection > 0 ? -1 : 1; // the label stands where the shape does not
       const reach = Math.max(0, -side * force * newton) + (at === "C" ? 15 : 0);
       return html`<g data-reaction="${at}${name}" data-length="${Math.abs(force) * newton}">${Math.abs(force) * newton > 0.5 && arrow([across, axis], tip, "force series-1")}
-        ${label([across + 6, axis - side * reach + (side > 0 ? -7 : 17)], `−${at}_${name}`, { anchor: "start", value: formatQuantity(-force, "N", 4) })}</g>
+        ${label([across + 6, axis - side * reach + (side > 0 ? -7 : 17)], `−${at}_${name}`, { anchor: "start", value: formatQuantity(-force, "N") })}</g>
         ${circle([across, axis - deflection * factor], 2.5, "dot deflected-dot")}`;
     })}`;
 }
@@ -130,7 +130,7 @@ function endView(place, size, input, answer, newton) {
     ${lines.slice(0, MOST_ROLLERS).map((each) => circle(view.at(turned(each.position_angle_deg)), view.size(rho), "body", FIELD.rollers))}
     ${line(centre, view.at(turned(first)), "extent", FIELD.position)}
     <g class="angle" data-field="${FIELD.position}"><path class="arc" d="${arcPath(centre, size * 0.62, -first, 0)}"/>
-      ${label([place.x - Math.sin(half) * (size * 0.62 + 14), place.y - Math.cos(half) * (size * 0.62 + 14) + 4], "φ₁", { value: formatQuantity(lines[0].position_angle_deg, "°", 4) })}</g>
+      ${label([place.x - Math.sin(half) * (size * 0.62 + 14), place.y - Math.cos(half) * (size * 0.62 + 14) + 4], "φ₁", { value: formatQuantity(lines[0].position_angle_deg, "°") })}</g>
     ${radius(centre, size, 142, "R_C", { of: RC, field: FIELD.RC, lead: 12 })}
     ${Object.entries(forces).map(([name, force], i) => {
       if (!force) return "";

@@ -38,22 +38,22 @@ function loadBody(input) {
 
 function lengthCell(section) {
   return {
-    ...stated(section, "total_length_mm", 4),
+    ...stated(section, "total_length_mm"),
     note: message("verdict.lines", { count: section.lines.length }),
   };
 }
 
 function loadCell(section) {
   return {
-    ...stated(section, "max_line_load_N_per_mm", 4),
-    note: message("verdict.meshForce", { force: formatQuantity(Math.hypot(...section.force_N), "N", 4) }),
+    ...stated(section, "max_line_load_N_per_mm"),
+    note: message("verdict.meshForce", { force: formatQuantity(Math.hypot(...section.force_N), "N") }),
   };
 }
 
 function deflectionCell(section) {
-  const reaction = (at) => formatQuantity(Math.hypot(...section[`reaction_${at}_N`]), "N", 4);
+  const reaction = (at) => formatQuantity(Math.hypot(...section[`reaction_${at}_N`]), "N");
   return {
-    ...stated(section, "deflection_C_mm", 3, section.deflection_C_mm.total),
+    ...stated(section, "deflection_C_mm", section.deflection_C_mm.total),
     note: message("verdict.deflectionB", {
       deflection: formatQuantity(section.deflection_B_mm.total, "mm", 3), B: reaction("B"), C: reaction("C"),
     }),

@@ -9,7 +9,7 @@ export function sentences({ contact_line: line, meshing_load: load, shaft_deflec
   const arms = (line?.lines ?? []).flatMap(({ phi_min_deg: from, phi_max_deg: to }) => [from, to])
     .map((phi) => Math.abs(Math.sin((phi * Math.PI) / 180)));
   return [
-    line && ["good", say("mesh", { count: line.lines.length, length: formatQuantity(line.total_length_mm, "mm", 4) })],
+    line && ["good", say("mesh", { count: line.lines.length, length: formatQuantity(line.total_length_mm, "mm") })],
     load && ["", say("evenLoad", { ratio: formatNumber(Math.max(...arms) / Math.min(...arms), 3) })],
     shaft && ["", say("bends", {
       deflection: formatQuantity(shaft.deflection_C_mm.total, "mm", 3),

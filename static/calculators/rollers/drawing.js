@@ -38,7 +38,7 @@ function rollerView(place, input, section, newton) {
     const tip = at(x, (side * D) / 2);
     const tail = [tip[0], tip[1] - side * force * newton];
     return html`${arrow(tail, tip, `force ${side > 0 ? "series-2" : "series-1"}`)}
-      ${label([tip[0] + 8, (side > 0 ? tail[1] + 10 : tail[1] - 2)], name, { anchor: "start", value: said && formatQuantity(force, "N", 4) })}`;
+      ${label([tip[0] + 8, (side > 0 ? tail[1] + 10 : tail[1] - 2)], name, { anchor: "start", value: said && formatQuantity(force, "N") })}`;
   };
   return html`
     ${path([at(-end, d / 2), at(end, d / 2), at(end, -d / 2), at(-end, -d / 2)], "body", "diameter_mm cylinder_length_mm")}
@@ -72,7 +72,7 @@ function circleView(place, input, { forces_N: forces, max_force_N: most }, size,
     const anchor = Math.abs(middle[0]) < R / 4 ? "middle" : middle[0] > 0 ? "start" : "end";
     return html`${circle(from, view.size(input.diameter_mm / 2), force > 0 ? "body" : "body idle", "rollers")}
       ${force > 0 && html`<g data-roller="${i + 1}" data-length="${force * newton}">${arrow(from, to, `force ${force === most ? "series-2" : "series-1"}`)}</g>`}
-      ${named && words([x, y], formatQuantity(force, "N", 4), { anchor })}`;
+      ${named && words([x, y], formatQuantity(force, "N"), { anchor })}`;
   });
   return html`
     ${line([place.x - size - 34, place.y], [place.x + size + 34, place.y], "centre")}

@@ -9,8 +9,8 @@ import { sentences } from "./sentences.js";
 
 function forceCell(section) {
   return {
-    ...stated(section, "max_force_N", 5),
-    note: message("verdict.rollerMean", { mean: written(section, "mean_force_N", 4) }),
+    ...stated(section, "max_force_N"),
+    note: message("verdict.rollerMean", { mean: written(section, "mean_force_N") }),
   };
 }
 
@@ -24,8 +24,8 @@ function sharingCell({ forces_N: forces, loaded_rollers: loaded, load_nonuniform
 
 function stressCell(section) {
   return {
-    ...stated(section, "bending_stress_MPa", 4),
-    note: message("verdict.bendingMoment", { moment: written(section, "bending_moment_Nm", 4) }),
+    ...stated(section, "bending_stress_MPa"),
+    note: message("verdict.bendingMoment", { moment: written(section, "bending_moment_Nm") }),
   };
 }
 

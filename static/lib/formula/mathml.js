@@ -4,7 +4,7 @@
  * `values` are `{ name: { value, unit } }` of a formula's names, in canonical units. A name is written as its symbol: a Greek
  * letter by its name, then after `_` what stands below, `star` and `prime` above: `Delta_prime_B`, `E_star`, `gamma_1_2`.
  */
-import { formatNumber, quantityParts } from "../format.js";
+import { ALL, formatNumber, quantityParts } from "../format.js";
 import { html } from "../html.js";
 
 const ADD = 1;
@@ -67,7 +67,7 @@ function writer(style, { values, withNumbers, digits }) {
 
   function amount(value, unit) {
     const whole = !unit && Number.isInteger(value);
-    const { value: text, unit: shown } = quantityParts(Math.abs(value), unit, whole ? 15 : digits);
+    const { value: text, unit: shown } = quantityParts(Math.abs(value), unit, whole ? ALL : digits);
     const written = style.number(text, shown);
     // A unit, a power of ten: what is raised to a power then needs parentheses.
     const plain = atom(written, unit || /10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+$/.test(text) ? MULTIPLY : ATOM, true);
@@ -104,7 +104,7 @@ function writer(style, { values, withNumbers, digits }) {
   }
 
   function write(tree) {
-    if (tree.number !== undefined) return atom(style.number(formatNumber(tree.number, 15), ""), ATOM, true);
+    if (tree.number !== undefined) return atom(style.number(formatNumber(tree.number), ""), ATOM, true);
     if (tree.name) return name(tree);
     return tree.operator ? operation(tree) : call(tree);
   }
