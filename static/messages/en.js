@@ -338,6 +338,20 @@ export default {
     worst: { good: "its checks hold", warning: "a check is close or open", bad: "a check fails" },
     readAs: "Read as {value}; write thousands without a comma",
     alike: "As in contact",
+    between: ", ",
+    // Of names longer than their place: what gives way, in this order, to what.
+    short: "the ring's seats=seats; Diameter of the ring's pin circle=Ring's pin circle diameter; the ring's pins=ring pins; the satellites=satellites; Diameter of ring pins, class=Ring pins, class; Limit of the =Limit: ; pressure on ring pins=ring pin pressure; force on ring pins=ring pin force; Largest=Max.; transmission error of the teeth=transm. error, teeth;  of the =, ; the contact lines=the lines; Ring and bearings of satellites=Ring, satellite bearings",
+  },
+  // Values in the line of a section, by the names of their fields.
+  line: {
+    satellites: { one: "{count} satellite", other: "{count} satellites" },
+    pins: { one: "{count} pin", other: "{count} pins" },
+    rollers_total: { one: "{count} roller", other: "{count} rollers" },
+    rollers: { one: "{count} roller", other: "{count} rollers" },
+    samples: { one: "{count} piece", other: "{count} pieces" },
+    ring_teeth: "/ {value}", satellite_teeth: "teeth {value}", pin_circle_radius_mm: "on {value}", ring_pin_circle_radius_mm: "on {value}", hole_circle_radius_mm: "on {value}", roller_circle_radius_mm: "on {value}",
+    hole_radius_mm: "holes {value}", input_torque_Nm: "{value} at the input", peak_torque_Nm: "peak {value}", max_length_mm: "length ≤ {value}", max_backlash_arcmin: "backlash ≤ {value}",
+    bore_radius_mm: "bore {value}", span_mm: "span {value}", bearing_distance_mm: "span {value}", housing_diameter_mm: "housing Ø{value}", carrier_diameter_mm: "carrier Ø{value}",
   },
   // Title and help of radii that are shown as diameters.
   diameter: {

@@ -1,5 +1,6 @@
 /** One box of the form: title, symbol, box, unit, and under it a line kept free for its message; its help is in the form's line. */
 import { element, fill, html } from "../lib/html.js";
+import { shortOf } from "../lib/outline.js";
 import { message, said } from "../messages/index.js";
 import { shownUnit } from "../lib/units.js";
 import { symbolMarkup } from "./parts.js";
@@ -13,8 +14,10 @@ function box(field, id) {
     spellcheck="false" aria-describedby="${id}-unit ${id}-message">`;
 }
 
-function titleOf(field) {
-  return html`<span class="field-name">${field.title}</span>${field.symbol && symbolMarkup(field.symbol)}`;
+function labelMarkup(field, id) {
+  const name = shortOf(field.title);
+  return html`<label for="${id}" title="${name === field.title ? field.help : message("rows.help", field)}"><span
+    class="field-name">${name}</span>${field.symbol && symbolMarkup(field.symbol)}</label>`;
 }
 
 /**
@@ -25,7 +28,7 @@ export function createField(field, { suggestion, sizable, on }) {
   const id = `field-${field.path.replaceAll(".", "-")}`;
   const root = element(html`
     <div class="field kind-${field.kind}" data-path="${field.path}">
-      <label for="${id}" title="${field.help}">${titleOf(field)}</label>
+      ${labelMarkup(field, id)}
       <span class="entry">
         ${suggestion && html`<button type="button" class="suggest"></button>`}
         ${box(field, id)}
@@ -79,6 +82,13 @@ export function createField(field, { suggestion, sizable, on }) {
     },
     setPlaceholder(text) {
       input.placeholder = text;
+    },
+    /** What stands for it while it is empty. */
+    setAssumed(text) {
+      const [none] = input.options ?? [];
+      if (none?.value === "") none.textContent = text || "–";
+      else input.placeholder = text;
+      if (text) root.dataset.origin = "usual";
     },
     setSuggestion({ formula, label, possible, pressed }) {
       if (button.dataset.formula !== formula) fill(button, symbolMarkup(formula));

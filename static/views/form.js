@@ -2,6 +2,7 @@
 import { ALL, formatNumber, formatQuantity, inNumerals, quantityParts } from "../lib/format.js";
 import { judgedOf, levelOfCheck, pathOf, sizedBy } from "../lib/checks.js";
 import { element, html } from "../lib/html.js";
+import { lineOf } from "../lib/outline.js";
 import { message, said } from "../messages/index.js";
 import { shownUnit } from "../lib/units.js";
 import { shownFields, textIn } from "../lib/form_state.js";
@@ -264,11 +265,9 @@ export function createForm({ model, calculator, catalogues, lengths, unfolded = 
   }
 
   /** The line of each section: what its boxes say. */
-  function summarise({ typed: { texts } }, shown) {
-    for (const { id, wanted: off, items } of model.groups) {
-      const own = items.flatMap(fieldsOf).filter((field) => shown.has(field) && !(off && texts[`${id}.on`] !== "on"));
-      sections.get(id).summarise(own.map((field) => [field, texts[field.path]]));
-    }
+  function summarise({ typed: { texts }, reading: { readings } }, shown) {
+    const valueOf = (path) => shown.has(model.fields.get(path)) && texts[path] !== "" && [model.fields.get(path), readings[path]?.value];
+    for (const [id, section] of sections) section.summarise(lineOf(calculator.lines?.[id] ?? "", valueOf));
   }
 
   /** The worst of the checks that hang on each section, and of its boxes. */
@@ -303,6 +302,17 @@ export function createForm({ model, calculator, catalogues, lengths, unfolded = 
     }
   }
 
+  /** What the service has put in for an empty box, where nothing else is said there. */
+  const assume = following(({ shown, typed, refusal, touched, insisted }) => [shown, typed, refusal, touched, insisted, fields.size], ({ shown, typed: { texts } }) => {
+    const assumed = new Map((judgedOf(calculator, shown?.answer)?.assumed ?? []).map(({ pointer, value }) => [pathOf(pointer), value]));
+    for (const [path, view] of fields) {
+      const field = model.fields.get(path);
+      if (texts[path] !== "" || !view.setAssumed || field.empty || field.follows || suggestions[path]?.linked) continue;
+      const value = assumed.get(path);
+      view.setAssumed(typeof value === "string" ? said("materials", value) ?? message("option")[value] ?? value : textIn(field, value));
+    }
+  });
+
   /** A value may be looked for where a check hangs on the field. */
   const sizes = following(({ shown }) => [shown, fields.size], ({ shown }) => {
     const inputs = new Set(sizedBy(judgedOf(calculator, shown?.answer)).flatMap((check) => check.inputs ?? []).map(pathOf));
@@ -333,6 +343,7 @@ export function createForm({ model, calculator, catalogues, lengths, unfolded = 
     unfold,
     update(state) {
       boxes(state);
+      assume(state);
       sizes(state);
       judge(state);
     },

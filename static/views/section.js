@@ -1,23 +1,16 @@
 /** A section of the inputs: a line with its values and the worst of what hangs on them, and the rows that it opens. */
 import { element, fill, html } from "../lib/html.js";
-import { message, said } from "../messages/index.js";
-import { sign, symbolMarkup } from "./parts.js";
+import { shortOf } from "../lib/outline.js";
+import { message } from "../messages/index.js";
+import { sign } from "./parts.js";
 
 const ROWS = 18; // in sight; more are folded
-const VALUES = 5;
 const WORST = ["bad", "warning", "good"];
-
-/** What a box says, with its symbol; nothing where it is empty or a list. */
-function valueMarkup({ kind, symbol, path }, text) {
-  if (text === "" || ["records", "switch", "names", "numbers", "flag"].includes(kind)) return null;
-  if (kind === "number" || kind === "integer") return symbol && html`${symbolMarkup(symbol)}\u00a0${text}`;
-  return said("materials", text) ?? (path.endsWith("name") ? text : message("option")[text]);
-}
 
 /** `title` names it; what it holds is added. */
 export function createSection({ id, title }) {
   const root = element(html`<div class="group" data-group="${id}"><details class="section">
-    <summary><h2>${title}</h2><span class="values"></span><span class="mark"></span></summary>
+    <summary><h2>${shortOf(title)}</h2><span class="values"></span><span class="mark"></span></summary>
     <fieldset class="rows" aria-label="${title}"></fieldset><button type="button" class="link beyond-rows" hidden></button></details></div>`);
   const details = root.firstElementChild;
   const [values, mark] = root.querySelectorAll(".values, .mark");
@@ -52,12 +45,12 @@ export function createSection({ id, title }) {
       for (const item of rest) addItem(item, more);
       host.append(more);
     },
-    /** `typed` are the fields that are shown, with their texts. */
-    summarise(typed) {
-      const known = typed.map(([field, text]) => valueMarkup(field, text)).filter(Boolean).slice(0, VALUES);
-      values.hidden = known.length === 0;
+    /** What its boxes say, in a line. */
+    summarise(line) {
       limit();
-      fill(values, html`${known.map((value, i) => [i > 0 && ", ", value])}`);
+      values.hidden = line === "";
+      if (values.textContent !== line) values.textContent = line;
+      values.title = line;
     },
     /** The worst level of what hangs on it. */
     judge(levels) {

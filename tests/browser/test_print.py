@@ -28,7 +28,7 @@ INPUTS = {
     "precession": ("Torque", "Nutation angle", "Working length"),
 }
 NUMBERS = {
-    "crank-planetary": ("280N·m", "28mm", "548.6MPa", "6666.67N"),
+    "crank-planetary": ("280N·m", "28mm", "548.6MPa", "6667N"),
     "rollers": (),
     "precession": (),
 }

@@ -286,7 +286,8 @@ def part(page: Page, group: str) -> Locator:
 
 
 def value(page: Page, group: str, name: str) -> float:
-    return number(part(page, group).locator(f'[data-name="{name}"] .value').text_content() or "")
+    cell = part(page, group).locator(f'[data-name="{name}"] .value')
+    return number(cell.get_attribute("title") or "")
 
 
 def test_strength_and_life_from_the_switch_to_the_cure(page: Page, service: str) -> None:

@@ -13,7 +13,7 @@ import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
 import { askedOf, cranksOf, MOST_PAIRS, ratioOf, refuseMore } from "./mechanism.js";
 import { factorOf, sentences } from "./sentences.js";
-import { BESIDE, documentOf, drawnDocument, inputOf, shaped, WANTED, wantedSections } from "./wanted.js";
+import { BESIDE, documentOf, drawnDocument, inputOf, LINES, shaped, WANTED, wantedSections } from "./wanted.js";
 
 const MOST_ROWS = 24;
 
@@ -187,6 +187,17 @@ export default {
       "satellite_body.solid_wall_mm", "temperatures.satellite_C", "temperatures.pins_C",
     ],
     more: ["load.force_exponent", "contact.distribution_factor", "contact.distribution_of", "mechanism.initial_crank_angle_deg", "mechanism.revolutions", "mechanism.output", "load.ring_speed_rpm", "load.carrier_speed_rpm"],
+  },
+  /** What the line of a section says, by its fields. */
+  lines: {
+    reducer: "mechanism.ratio mechanism.output_ratio mechanism.satellite_teeth mechanism.ring_teeth, mechanism.satellites, contact.eccentricity_mm",
+    pins: "mechanism.pins contact.pin_radius_mm load.pin_circle_radius_mm, contact.fit contact.hole_clearance_mm contact.hole_radius_mm",
+    load: "load.output_torque_Nm load.input_torque_Nm, load.input_speed_rpm, load.peak_torque_Nm",
+    materials: "contact.pin_material, contact.hole_material",
+    requirements: "requirements.life_h, requirements.max_outer_diameter_mm, requirements.max_length_mm, requirements.max_backlash_arcmin, requirements.pitting_safety",
+    satellite_body: "satellite_body.outer_radius_mm, satellite_body.bore_radius_mm",
+    more: "mechanism.output, contact.distribution_factor",
+    ...LINES,
   },
   hidden: ["contact.dynamic_factor", "load.include", "load.samples", "include", "fixes_for", "crank_angle_deg"],
   moved: { "load.application_factor": "contact.dynamic_factor" },

@@ -368,6 +368,19 @@ function misfits({ about: { calculator }, shown }) {
   return ["fail", "marginal"].includes(check?.status);
 }
 
+/** What their lines in the outline say (index.js). */
+export const LINES = {
+  real: "contact_law.kind",
+  study: "tolerances.process, tolerances.hole_diameter.class tolerances.pin_diameter.class, samples",
+  strength: "pin.support pin.span_mm, strength.surface, fatigue.life_h",
+  rolling: "rollers.name",
+  losses: "friction.coefficient",
+  bearings: "gear.kind gear.module_mm gear.ring_pin_radius_mm gear.ring_pin_circle_radius_mm, bearing.name",
+  teeth: "gear.satellite_profile_shift gear.ring_profile_shift, gear.ring_material gear.pin_material",
+  crank: "crankshaft.bearings.0.name, crankshaft.bearings.1.name",
+  housing: "build.housing_diameter_mm, build.carrier_diameter_mm",
+};
+
 /** Groups that nobody switches: shown where `shows(state)` says so, and opened where it is `urgent(state)`. */
 export const BESIDE = [
   { id: "fit", shows: showsFit, urgent: misfits, load: () => Promise.all([import("./fit.js"), import("../../views/live.js")]) },

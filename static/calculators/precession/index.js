@@ -89,6 +89,15 @@ export default {
   path: PATH,
   groups: ["gear", "rollers", "load", "shaft", "requirements"],
   inline: ["wheel", "requirements"],
+  lines: {
+    gear: "ratio_u12, roller_radius_mm roller_circle_radius_mm, nutation_angle_deg",
+    rollers: "wheel.rollers_total",
+    load: "torque_Nm",
+    shaft: "shaft_diameter_mm, bearing_distance_mm",
+    requirements: "requirements.bending_safety, requirements.max_deflection_mm",
+    endurance: "endurance.fatigue, tensile_strength_MPa",
+    lines: "line_contact.roller_material, line_contact.mating_material",
+  },
   requirements: ["bending_safety", "max_deflection_mm", "max_slope_mrad"],
   hidden: ["include", "fixes_for", "line_contact"],
   catalogues: Object.fromEntries(["line_contact.roller_material", "line_contact.mating_material"]

@@ -44,6 +44,13 @@ export default {
   path: PATH,
   groups: ["load", "roller", "material", "requirements"],
   inline: ["requirements"],
+  lines: {
+    load: "output_torque_Nm, rollers hole_circle_radius_mm",
+    roller: "diameter_mm cylinder_length_mm, eccentricity_mm",
+    material: "youngs_modulus_GPa, yield_strength_MPa",
+    requirements: "requirements.bending_safety",
+    endurance: "endurance.fatigue, tensile_strength_MPa",
+  },
   requirements: ["bending_safety"],
   hidden: ["include", "fixes_for"],
   choices: {
