@@ -55,7 +55,8 @@ export function createRest({ store, inputs, outputs, panels, client, designs, ve
   const rest = element(html`<div class="rest"></div>`);
   rest.append(worked.root, accuracy.root);
   outputs.append(rest);
-  const apart = ["compare", "results"];
+  const explored = ["sweep", "sensitivity"];
+  const apart = ["compare", "results", ...explored];
   const busy = () => Object.values(store.state.besides).some(({ phase }) => phase === "computing");
   /** Have all that stands behind the tabs asked for and drawn. */
   async function whole() {
@@ -65,6 +66,20 @@ export function createRest({ store, inputs, outputs, panels, client, designs, ve
     await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))); // then the figures see that they have room
     await Promise.all(figures.map((figure) => figure.settled()));
   }
+  let exploring = null; // once a field's menu has asked for it
+  let closed = false;
+  /** Sweeps and sensitivities, loaded when the first is opened. */
+  function explore() {
+    exploring ??= import("./views/explore.js").then(({ createExplore }) => {
+      const view = createExplore({ store, panels, client, on: { applied: on.applied } });
+      if (!closed) store.show([view]);
+      return view;
+    });
+    exploring.catch(() => {
+      exploring = null; // the next click tries again
+    });
+    return exploring;
+  }
   const report = createReport({
     calculator, model, catalogues, version, outputs, figures, worked,
     shown: () => store.state.shown,
@@ -73,7 +88,7 @@ export function createRest({ store, inputs, outputs, panels, client, designs, ve
       on.themed("light");
       return whole();
     },
-    open: (whole) => panels.all(whole ? ["compare"] : apart),
+    open: (whole) => panels.all(whole ? ["compare", ...explored] : apart),
     back() {
       on.themed();
       panels.show(true);
@@ -89,9 +104,16 @@ export function createRest({ store, inputs, outputs, panels, client, designs, ve
     save: () => report.save(),
     /** Show the designs side by side. */
     compare: () => panels.open("compare"),
-    size: (path) => store.state.shown && sizing.open(model.fields.get(path), store.state.shown),
+    /** What a field's menu offers. */
+    async act(act, path) {
+      if (!store.state.shown) return;
+      if (act === "size") sizing.open(model.fields.get(path), store.state.shown);
+      else (await explore())[act](model.fields.get(path));
+    },
     close() {
+      closed = true;
       sizing.close();
+      exploring?.then(({ close }) => close());
       report.close();
       wanted.close();
       worked.close();

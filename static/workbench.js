@@ -120,7 +120,10 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
         const text = stepped(model.fields.get(path), store.state.typed.texts[path], direction, factor);
         if (text !== null) change(next.typedIn, path, text);
       },
-      size: (path) => rest?.size(path),
+      act(act, path) {
+        rest?.act(act, path);
+        if (act !== "size") places.show("shown");
+      },
       left: (path) => store.apply(next.left, path),
       chosen: (choice, option) => change(next.chose, choice, option),
       switched(group, on) {

@@ -126,7 +126,7 @@ export function curveTables(chart) {
 }
 
 /** Colours of kept designs, in their order; the table of designs has them as `series-1` and on. */
-const SERIES = {
+export const SERIES = {
   light: ["#0072b2", "#b35900", "#007a5e", "#a3467f", "#5c6bc0", "#806600"],
   dark: ["#5cb8f0", "#f0a04b", "#34c9a0", "#e39ac4", "#a5b0f5", "#e0cc4d"],
 };

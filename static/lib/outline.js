@@ -24,12 +24,12 @@ function valueText({ name, unit }, value) {
 
 /**
  * The values of a section as one says them, "8 pins Ø16 on Ø76, H7/f7": of `line`, paths of fields with a comma where one is
- * said, those that have a value; `valueOf(path)` gives the field that is shown there with its value.
+ * said, those that have a value other than 0; `valueOf(path)` gives the field that is shown there with its value.
  */
 export function lineOf(line, valueOf) {
   const piece = (path) => {
     const [field, value] = valueOf(path) || [];
-    if (!["number", "string"].includes(typeof value)) return "";
+    if (!value || !["number", "string"].includes(typeof value)) return "";
     const text = valueText(field, value);
     if (message("line")[field.name]) return message(`line.${field.name}`, { count: value, value: text });
     return ["", "mm"].includes(field.unit) && /^\d/.test(text) && !text.endsWith(":1") ? `${field.symbol.replace("_", "")} ${text}` : text;

@@ -21,17 +21,20 @@ export function targetsOf(calculator, answer, path) {
 }
 
 /** The design as it was asked about, with all that is wanted of it; without what the answer is to contain. */
-function designOf(calculator, { input: { besides, ...input }, requests = [] }) {
+export function designOf(calculator, { input: { besides, ...input }, requests = [] }) {
   const { include, load, ...design } = requests.findLast(({ path }) => path.endsWith(calculator.path))?.body ?? input;
   return { ...design, ...(load && { load: { ...load, include: undefined } }) };
 }
 
 const valueAt = (part, path) => path.split(".").reduce((inner, key) => inner?.[key], part);
 
+/** What the results on the screen are of in a field. */
+export const valueIn = ({ filled }, { path }) => valueAt(filled, path) ?? valueAt(filled.besides, path);
+
 /** The request: the value is looked for about the one at hand, within the field's own limits. */
 export function solveBody(calculator, field, shown, target, amount, want) {
   const input = designOf(calculator, shown);
-  const value = valueAt(shown.filled, field.path) ?? valueAt(shown.filled.besides, field.path);
+  const value = valueIn(shown, field);
   const counted = field.kind === "integer";
   const within = (number) => Math.min(Math.max(number, field.lowest ?? -Infinity), field.highest ?? Infinity);
   const range = counted ? [1, Math.max(MOST_COUNTED, value ?? 1)] : [(value ?? 1) / WIDEST, (value ?? 1) * WIDEST];

@@ -478,6 +478,7 @@ export default {
   places: { label: "Parts of the page", inputs: "Inputs", shown: "Drawing", answer: "Checks", rest: "More" },
   panels: { label: "Figures", drawing: "Drawing" },
   tab: {
+    sweep: "Sweep", sensitivity: "Sensitivity",
     force: "Forces", cyclogram: "Cyclogram", hertz: "Pressure", real: "Play, stiffness", fit: "Fit", study: "Tolerances", strength: "Pins", rolling: "Rollers",
     losses: "Losses", bearings: "Bearings", teeth: "Ring", crank: "Shaft", housing: "Housing", mass: "Mass", rollers: "Curves", contactLines: "Contact lines",
     lineLoad: "Line load", shaft: "Shaft",
@@ -529,9 +530,18 @@ export default {
     statusEffect: "{check}: {before} → {after}",
     also: "{field} → {to}",
   },
+  menu: { label: "What can be done with the field", of: "{field}: size, sweep, sensitivity", size: "Size for …", sweep: "Sweep …", sensitivity: "Sensitivity" },
+  sweep: {
+    title: "Sweep", run: "Calculate", running: "Designs are calculated…", idle: "Nothing is calculated until it is started.",
+    used: "Used of the limit", from: "From", to: "To", steps: "Points", quantity: "Result", governing: "Check that governs, % of its limit",
+    click: "A click on a point loads its design; undo leads back. The upright line is the design at hand.",
+  },
+  sensitivity: {
+    title: "Inputs that matter", of: "{check}: {used} of the limit; change with each input by a hundredth, by one where it is counted.", at: "Under the largest torque, {torque}.",
+    input: "Input", less: "Less", more: "More",
+  },
   sizing: {
     title: "Size for …",
-    at: "Size {field} for …",
     want: "Find the", least: "smallest value", most: "largest value",
     for: "that keeps", at_least: "at", at_most: "at most, %",
     apply: "Take it over",
@@ -975,6 +985,8 @@ export default {
     crankLabel: "The crankshaft to scale along its axis with its two bearings, the satellites on their cranks, and the largest reaction of each bearing as an arrow.",
   },
   figure: {
+    sweep: "A result over an input",
+    sweepLabel: "Result over the input; points are designs",
     older: "Older inputs",
     largest: "Largest force",
     largestReal: "Largest force, real",

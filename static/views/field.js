@@ -32,8 +32,8 @@ export function createField(field, { suggestion, sizable, on }) {
       <span class="entry">
         ${suggestion && html`<button type="button" class="suggest"></button>`}
         ${box(field, id)}
-        ${sizable && html`<button type="button" class="size" aria-label="${message("sizing.at", { field: field.title })}"
-          title="${message("sizing.at", { field: field.title })}">◎</button>`}
+        ${sizable && html`<button type="button" class="size" aria-haspopup="menu" aria-label="${message("menu.of", { field: field.title })}"
+          title="${message("menu.of", { field: field.title })}">⋮</button>`}
         <span class="unit" id="${id}-unit">${shownUnit(field.unit)}</span>
       </span>
       <p class="field-message" id="${id}-message"><span></span> <button type="button" class="link" hidden></button></p>
@@ -53,7 +53,7 @@ export function createField(field, { suggestion, sizable, on }) {
     on.step(direction, event.shiftKey ? 10 : 1);
   });
   const size = root.querySelector(".size");
-  size?.addEventListener("click", () => on.size());
+  size?.addEventListener("click", () => on.menu(size));
   button?.addEventListener("click", () => on.suggest());
   link.addEventListener("click", () => on.asked(asked));
 

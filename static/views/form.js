@@ -11,6 +11,7 @@ import { following, readingText, refusedAt, unread, wants } from "../store.js";
 import { createField } from "./field.js";
 import { createRows } from "./rows.js";
 import { createSection } from "./section.js";
+import { createMenu } from "./menu.js";
 import { createGrid, createNames, createSwitch } from "./wanted_fields.js";
 
 function choiceAbout(choice) {
@@ -86,7 +87,7 @@ const seriesOf = (name) => name.match(/^(?:R?NA\d\d|N[UJ]\d|HK|MR|6\d)(?=[\d/])/
 
 /**
  * `label` names it; `unfolded`, whether all its sections are open. `on.typed(path, text)`, `on.step(path, direction, factor)`, `on.left(path)`, `on.chosen(choice, option)`,
- * `on.apply()`, `on.lengths(option)`, `on.size(path)`, `on.switched(group, on)`, `on.asked(path)`.
+ * `on.apply()`, `on.lengths(option)`, `on.act(act, path)`, `on.switched(group, on)`, `on.asked(path)`.
  */
 export function createForm({ model, calculator, catalogues, lengths, unfolded = false, label = message("form.inputs"), on }) {
   const root = element(html`<form class="form" novalidate aria-label="${label}"></form>`);
@@ -112,6 +113,7 @@ export function createForm({ model, calculator, catalogues, lengths, unfolded = 
     if (!root.contains(relatedTarget)) helpAt(null);
   });
 
+  const menu = createMenu({ acts: ["size", "sweep", "sensitivity"], on: on.act });
   const { suggestions = {} } = calculator;
   const fields = new Map();
   const choices = new Map();
@@ -126,7 +128,7 @@ export function createForm({ model, calculator, catalogues, lengths, unfolded = 
       sizable: ["number", "integer"].includes(field.kind) && !suggestions[field.path],
       on: {
         switched: (chosen) => on.switched(field.wanted, chosen),
-        size: () => on.size(field.path),
+        menu: (button) => menu.open(button, field.path),
         typed: (text) => on.typed(field.path, text),
         step: (direction, factor) => on.step(field.path, direction, factor),
         asked: on.asked,
@@ -205,7 +207,7 @@ export function createForm({ model, calculator, catalogues, lengths, unfolded = 
     }
   }
   unfold(unfolded);
-  root.append(element(html`<p class="legend note">${["typed", "follows", "usual"].map((origin) => html`<span data-origin="${origin}">${message(`form.origin.${origin}`)}</span>`)}</p>`), help);
+  root.append(menu.root, element(html`<p class="legend note">${["typed", "follows", "usual"].map((origin) => html`<span data-origin="${origin}">${message(`form.origin.${origin}`)}</span>`)}</p>`), help);
 
   function noteOf(field, reading, text, filled) {
     if (reading?.readAs !== undefined) return message("form.readAs", { value: String(reading.readAs) });

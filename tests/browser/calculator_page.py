@@ -123,6 +123,12 @@ def emptied(page: Page) -> None:
     begun(page, '[data-do="cleared"]')
 
 
+def from_menu(page: Page, path: str, act: str) -> None:
+    """Choose what the menu of a field offers."""
+    page.locator(f'[data-path="{path}"] .size').click()
+    page.get_by_role("menuitem", name=act).click()
+
+
 def words_at(page: Page, path: str) -> Locator:
     return page.locator(f'[data-path="{path}"] .field-message')
 

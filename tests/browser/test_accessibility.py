@@ -7,7 +7,7 @@ import pytest
 from axe_playwright_python.base import AXE_SCRIPT
 from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.calculator_page import box, emptied, picked, settled, show, tab
+from tests.browser.calculator_page import box, emptied, from_menu, picked, settled, show, tab
 from tests.browser.conftest import UNFOLDED
 
 CALCULATORS = {
@@ -138,10 +138,15 @@ OPEN_ALL = "() => document.querySelectorAll('details').forEach((one) => (one.ope
 def test_axe_finds_nothing_in_any_other_state(open_page: Page, service: str) -> None:
     page = open_page
     show(page, service, "crank-planetary")
-    page.get_by_role("button", name="Size Pin radius for").click()
+    from_menu(page, "contact.pin_radius_mm", "Size for")
     expect(page.locator('[data-part="apply"]')).to_be_enabled()
     assert violations(page, OPENED) == [], "sizing"
     page.keyboard.press("Escape")
+    for act in ("sweep", "sensitivity"):
+        from_menu(page, "contact.pin_radius_mm", act.capitalize())
+        explored = page.locator(f'[data-explored="{act}"]')
+        expect(explored.locator(".js-plotly-plot, tbody tr").first).to_be_attached()
+        assert violations(page, ".shown") == [], act
     box(page, "contact.hole_material").select_option("plastic_pom")
     settled(page)
     assert violations(page, ".answer", ".inputs") == [], "a limit is not known"

@@ -1,5 +1,6 @@
 """Layout: three columns as high as the screen, tabs, the rail, one part at a time."""
 
+import re
 from collections.abc import Iterator
 
 import pytest
@@ -195,7 +196,10 @@ def test_diameters_are_diameters_everywhere_and_in_the_link(newcomer: Page, serv
     hole = newcomer.locator('[data-path="contact.hole_radius_mm"]')
     expect(hole.locator(".suggest")).to_contain_text("2(rin + e + c)")
     ring = newcomer.locator('[data-path="gear.ring_pin_radius_mm"]')
-    expect(ring.locator("label")).to_contain_text("Diameter of the ring's pins")
+    expect(ring.locator("label")).to_contain_text("Diameter of ring pins")  # in short
+    expect(ring.locator("label")).to_have_attribute(
+        "title", re.compile("^Diameter of the ring's pins: ")
+    )
     link = address(newcomer)
     assert "lengths=diameter" in link
     ring_text = ring.locator(".box").input_value()

@@ -6,7 +6,15 @@ import pytest
 from playwright.sync_api import Locator, Page, Request, Route, expect
 
 from core.precision import JUDGED
-from tests.browser.calculator_page import ask, box, first_example, number, settled, show
+from tests.browser.calculator_page import (
+    ask,
+    box,
+    first_example,
+    from_menu,
+    number,
+    settled,
+    show,
+)
 
 CALCULATORS = ("crank-planetary", "rollers", "precession")
 
@@ -154,7 +162,7 @@ def test_a_fix_and_a_size_are_applied_by_a_click(page: Page, service: str) -> No
     page.locator(".fix").first.click()
     expect(page.locator(".verdict .word")).to_have_text(re.compile("Incomplete"))
     page.get_by_role("button", name="Undo").click()
-    page.get_by_role("button", name="Size Pin radius for").click()
+    from_menu(page, "contact.pin_radius_mm", "Size for")
     sheet = page.locator("#sizing")
     expect(sheet.locator('[data-part="result"]')).to_contain_text("at least")
     sheet.get_by_role("button", name="Take it over").click()
@@ -197,7 +205,7 @@ def test_what_mends_is_looked_for_last_and_gives_way(page: Page, service: str) -
     expect(fixes).to_contain_text("Looking for what mends it")
     height = fixes.evaluate("(one) => one.offsetHeight")
     with page.expect_request("**/solve"):
-        page.get_by_role("button", name="Size Pin radius for").click()
+        from_menu(page, "contact.pin_radius_mm", "Size for")
     with page.expect_request(mends):  # again, after it
         expect(page.locator('#sizing [data-part="result"]')).to_contain_text("at least")
     assert ended

@@ -1,0 +1,91 @@
+"""What a field's menu opens: a result over the field, the inputs that matter."""
+
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, Route, expect
+
+from tests.browser.calculator_page import ask, box, from_menu, settled, show, tab
+
+RADIUS = "contact.pin_radius_mm"
+
+
+def posted(page: Page, path: str) -> list[dict[str, Any]]:
+    """Bodies of requests from now on."""
+    bodies: list[dict[str, Any]] = []
+    mine = f"/api/v1{path}"
+    page.on("request", lambda one: one.url.endswith(mine) and bodies.append(one.post_data_json))
+    return bodies
+
+
+def test_a_point_of_a_sweep_loads_its_design_and_undo_leads_back(page: Page, service: str) -> None:
+    show(page, service, "crank-planetary")
+    asked = posted(page, "/sweep")
+    assert tab(page, "sweep").count() == 0 and not asked  # nothing before it is opened
+    from_menu(page, RADIUS, "Sweep")
+    sweep = page.locator('[data-explored="sweep"]')
+    expect(sweep.locator(".scatterlayer .point")).to_have_count(13)
+    [body] = asked
+    assert body["axes"][0]["values"][0] == 5.6
+    found = ask(service, "/sweep", body)
+    sweep.get_by_role("button", name="Table").click()
+    rows = sweep.locator("tbody tr")
+    expect(rows).to_have_count(13)
+    used = found["outputs"]["/checks/governing/utilisation"]
+    cells = rows.nth(2).locator("td")
+    assert float(cells.nth(1).inner_text()) == pytest.approx(100 * used[2], rel=1e-9)
+    expect(cells.nth(3)).to_have_text("Contact pressure of the hole")
+    rows.nth(2).get_by_role("button").click()
+    expect(box(page, RADIUS)).to_have_value("6.4")
+    settled(page)
+    expect(sweep.locator(".state")).to_have_text("")  # it is of this design as well
+    assert len(asked) == 1
+    page.get_by_role("button", name="Undo").click()
+    expect(box(page, RADIUS)).to_have_value("8")
+    settled(page)
+    # of another torque it is of earlier inputs, until it is asked again
+    box(page, "load.output_torque_Nm").fill("300")
+    settled(page)
+    expect(sweep.locator(".state")).to_have_text("Numbers of earlier inputs")
+    sweep.locator('[data-part="from"]').fill("1")
+    sweep.locator('[data-part="steps"]').fill("5")
+    sweep.get_by_role("button", name="Calculate").click()
+    expect(rows).to_have_count(5)
+    # a click on a point of the figure is a click on its row
+    sweep.get_by_role("button", name="Table").click()
+    sweep.locator(".scatterlayer .point").nth(4).click(force=True)
+    expect(box(page, RADIUS)).to_have_value("10.4")
+
+
+def test_impossible_points_say_why_and_a_sweep_is_ended(page: Page, service: str) -> None:
+    show(page, service, "crank-planetary")
+    from_menu(page, "mechanism.pins", "Sweep")
+    sweep = page.locator('[data-explored="sweep"]')
+    expect(sweep.locator(".legend")).to_contain_text("Impossible")
+    sweep.get_by_role("button", name="Table").click()
+    expect(sweep.locator("tbody tr").nth(1)).to_contain_text("Impossible")
+    expect(sweep.locator("tbody tr").nth(1)).to_contain_text("Dead centres")
+    held: list[Route] = []
+    page.route("**/api/v1/sweep", lambda route: held.append(route))
+    sweep.locator('[data-part="to"]').fill("9")
+    sweep.get_by_role("button", name="Calculate").click()
+    sweep.get_by_role("button", name="Stop").click()
+    expect(sweep.locator(".state")).to_have_text("Stopped.")
+
+
+@pytest.mark.parametrize("calculator", ["crank-planetary", "rollers"])
+def test_inputs_that_matter_come_by_their_change(page: Page, service: str, calculator: str) -> None:
+    show(page, service, calculator)
+    asked = posted(page, "/sensitivity")
+    path = {"crank-planetary": RADIUS, "rollers": "diameter_mm"}[calculator]
+    from_menu(page, path, "Sensitivity")
+    rows = page.locator('[data-explored="sensitivity"] tbody tr')
+    expect(rows.first).to_be_visible()
+    inputs = ask(service, "/sensitivity", asked[0])["inputs"]
+    expect(rows).to_have_count(len(inputs))
+    paths = [one["pointer"][1:].replace("/", ".") for one in inputs]
+    buttons = rows.get_by_role("button")
+    assert buttons.evaluate_all("all => all.map((one) => one.dataset.sweep)") == paths
+    buttons.first.click()
+    expect(tab(page, "sweep")).to_have_attribute("aria-selected", "true")
+    expect(page.locator('[data-explored="sweep"] .scatterlayer .point').first).to_be_attached()
