@@ -946,7 +946,7 @@ export default {
   },
   plotly: { "Double-click to zoom back out": "Double-click to zoom back out" },
   drawing: {
-    views: "Views", view: { whole: "Mechanism", disc: "Disc", axis: "Along the axis" },
+    views: "Views", view: { whole: "Mechanism", disc: "Disc", mesh: "Mesh", axis: "Along the axis" },
     axisScale: "To scale, cut in the plane of the first crank: what is known of discs, pins, ring, bearings, shaft, carrier and housing.",
     "crank-planetaryLabel": "The mechanism at the crank angle, to scale: pitch circles, satellites' holes, pins, cranks, and the force of every driving pair as an arrow; beside it one pin in its hole, enlarged.",
     rollersLabel: "A roller to scale with its lengths and forces, and the rollers on their circle with the force of each as an arrow.",

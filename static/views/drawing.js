@@ -132,7 +132,7 @@ export function createDrawingView({ calculator, on }) {
   /** Views of what is known of the design alone. */
   function offer() {
     for (const { id, shows = () => true } of views) {
-      const offered = shows(latest.input);
+      const offered = shows(latest.input, latest.answer);
       root.querySelector(`[data-view="${id}"]`).hidden = !offered;
       if (!offered && view.id === id) look("whole");
     }

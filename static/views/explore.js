@@ -140,7 +140,7 @@ function createSensitivity({ on, ...parts }) {
     if (!answer) return;
     const at = answer.torque_Nm === undefined ? "" : message("sensitivity.at", { torque: formatQuantity(answer.torque_Nm, "N·m") });
     fill(tab.root.querySelector(".outcome"), html`<p class="note">${message("sensitivity.of", { check: titleOf({ code: answer.governing }), used: percent(answer.result) })} ${at}</p>
-      <div class="grid-rows" tabindex="0" role="region" aria-label="${message("sensitivity.title")}"><table class="data"><thead><tr>
+      <div class="grid-rows" tabindex="0" role="region" aria-label="${message("tab.sensitivity")}"><table class="data"><thead><tr>
         ${["input", "less", "more"].map((name) => html`<th scope="col">${message(`sensitivity.${name}`)}</th>`)}</tr></thead>
       <tbody>${sensitivityRows(answer, fieldAt).map(({ path, title, sides }) => html`<tr>
         <th scope="row"><button type="button" class="link" data-sweep="${path}">${title}</button></th>${sides.map(side)}</tr>`)}</tbody></table></div>`);

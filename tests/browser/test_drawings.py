@@ -504,3 +504,38 @@ def test_nothing_of_older_inputs_is_drawn_beside_numbers(page: Page, service: st
     settled(page, "wrong")
     expect(page.locator("#panel-drawing .scale")).to_contain_text("Too many pairs")
     expect(page.locator("#panel-drawing .drawing svg")).to_have_count(0)
+
+
+MIDDLE = """(drawing) => {
+  const room = drawing.getBoundingClientRect();
+  return [room.left + room.width / 2, room.top + room.height / 2];
+}"""
+MIDDLES = """(pins) => pins.map((pin) => {
+  const { left, top, width, height } = pin.getBoundingClientRect();
+  return [left + width / 2, top + height / 2, width];
+})"""
+
+
+def test_the_mesh_is_magnified_at_the_pin_that_bears_most(page: Page, service: str) -> None:
+    show(page, service, "crank-planetary")
+    expect(page.locator('[data-view="mesh"]')).to_be_hidden()  # there are no teeth
+    picked(page, "cycloid")
+    settled(page)
+    drawing = page.locator('[data-drawing="crank-planetary"] .drawing')
+    pins = drawing.locator(".ring-pins .ring-pin")
+    expect(pins).to_have_count(21)
+    small = pins.evaluate_all(MIDDLES)[0][2]
+    page.locator('[data-view="mesh"]').click()
+    title = drawing.locator(".title")
+    expect(title).to_contain_text("carries")
+    said = []
+    for angle in ("39", "120"):
+        page.locator(".motion input").evaluate(MOVE, angle)
+        said.append(int((title.text_content() or "").split("pin ")[1].split(" ")[0]))
+        x, y, width = pins.evaluate_all(MIDDLES)[said[-1] - 1]
+        assert [x, y] == pytest.approx(drawing.evaluate(MIDDLE), abs=2)
+        assert width > 2 * small
+        expect(drawing.locator(".ring-marks .arrow:not(.none)").first).to_be_attached()
+    assert said[0] != said[1]
+    page.locator("#pair").select_option("2/5")
+    expect(title).to_contain_text("ring pin 5")

@@ -215,3 +215,8 @@ test("tables are of the forces that are solved, and these are asked for only whe
   assert.deepEqual(calculator.drawing.curves(answer), [{ name: "1.1", x: [0], y: [9] }]);
   assert.equal(calculator.drawing.start(answer), 9);
 });
+
+test("the mass stands beside the other numbers once it is known", () => {
+  assert.equal(calculator.verdict({ mass: { parts: [] } }).length, 3);
+  assert.equal(calculator.verdict({ mass: { mass_kg: 3.21456, parts: [] } }).at(-1).value, "3.215\u00a0kg");
+});

@@ -5,10 +5,11 @@ import { fill, html } from "../../lib/html.js";
 import { message } from "../../messages/index.js";
 import { arcPath, arrowOf, circle, createView, headPath, label, line, mm, paper, radius, roundBelow, scaleBar, set, setArrow, sized, WIDE_PX } from "../../lib/svg.js";
 import { crankDirections, drivingAt, forcesAt, mechanismOf, MOST_PAIRS, moved, pinAngle, pinCentres, pitchRadii } from "./mechanism.js";
-import { discStill, placeRing, placeRingDetail, reachOf, ringCaption, ringDetail, ringMarks, ringParts, ringStill } from "./ring.js";
+import { discStill, meshAt, meshInSight, placeRing, placeRingDetail, reachOf, ringCaption, ringDetail, ringMarks, ringParts, ringStill } from "./ring.js";
 
 const STYLES = 6; // of satellites, as in the figures
 const ARROW = 0.42; // the longest arrow, of the pin circle's radius
+const MESH_ARROW = 0.3; // the longest arrow where the mesh is magnified, of what is in sight
 const LESS = 2; // how many times shorter arrows at the ring are at most, of its circle
 const MARGIN = 26; // px
 
@@ -207,7 +208,7 @@ function partsOf(host, still) {
     pins: host.querySelector(".pins"),
     numbers: all(".pin-number"),
     cranks: all(".crank").map((root) => ({ line: root.querySelector("line"), dot: root.querySelector("circle"), text: root.querySelector("text") })),
-    arrows: all("svg > .force.arrow").map(arrowOf),
+    arrows: all(":is(svg, .magnified) > .force.arrow").map(arrowOf),
     ring: ringParts(host),
     title: host.querySelector(".title"),
     angles: { phi: host.querySelector(".phi"), alpha: host.querySelector(".alpha") },
@@ -232,7 +233,7 @@ function caption(m) {
  * The drawing of an answer on a paper of a size in pixels; null for too many pairs. `attach(host)`
  * makes it move: `move(angle, pair)` with the name of the pair that is selected, or null.
  */
-export function createDrawing({ input, answer, curves, width, height, alone = false }) {
+export function createDrawing({ input, answer, curves, width, height, alone = false, mesh = false }) {
   const m = mechanismOf(input, answer);
   if (m.pairs.length > MOST_PAIRS.drawn) return null;
   const { main, detail } = places(width, height, alone);
@@ -242,17 +243,18 @@ export function createDrawing({ input, answer, curves, width, height, alone = fa
   const { peak_force_N: peak, peak_pair: most, peak_crank_angle_deg: at } = answer.load_sharing ?? answer.contact_force ?? {};
   const { ring } = m;
   const largest = Math.max(peak ?? 0, (ring?.peak ?? 0) * (m.radius / (ring?.circle ?? Infinity)) * LESS);
-  const arrowScale = peak ? (ARROW * m.radius) / largest : 0; // mm a newton
+  const inSight = mesh ? meshInSight(ring) : 0; // mm
+  const arrowScale = mesh ? (MESH_ARROW * inSight) / (ring.peak || Infinity) : peak ? (ARROW * m.radius) / largest : 0; // mm a newton
   const reach = m.eccentricity
     ? Math.max(holes + m.eccentricity, ring ? reachOf(ring, arrowScale) : pitch.ring < 2 * holes ? pitch.ring * 1.05 : 0)
     : m.radius * 1.2;
-  const view = createView({ ...main, scale: (main.half - MARGIN) / reach });
+  const view = createView({ ...main, scale: mesh ? (2 * main.half) / inSight : (main.half - MARGIN) / reach });
   const room = LABEL_PX + CHARACTER_PX * Math.max(...[m.holeRadius, m.pinRadius].map((length) => sized("", length ?? 0).join("").length));
   const close = m.eccentricity && detail
     ? createView({ ...detail, scale: Math.max(detail.half * 0.24, Math.min(detail.half * 0.62, detail.half - room)) / (m.holeRadius + m.eccentricity) })
     : null;
-  const round = peak && roundBelow(peak / 2, "N");
-  const bar = roundBelow(m.radius, "mm");
+  const round = mesh ? ring.peak && roundBelow(ring.peak / 2, "N") : peak && roundBelow(peak / 2, "N");
+  const bar = roundBelow(mesh ? inSight / 4 : m.radius, "mm");
   const names = m.pairs.map(({ satellite, pin }) => `${satellite}.${pin}`);
   const usual = most ? names.indexOf(`${most.satellite}.${most.pin}`) : 0;
   /** Which pairs drive at a crank angle, and their forces; of the real ones those drive whose force would be seen. */
@@ -264,16 +266,17 @@ export function createDrawing({ input, answer, curves, width, height, alone = fa
   };
   const scales = [
     scaleBar([12, height - 14], view.size(bar), mm(bar)),
-    peak && scaleBar([view.size(bar) + 110, height - 14], view.size(round * arrowScale), formatQuantity(round, "N", 3), "force"),
+    round && scaleBar([view.size(bar) + 110, height - 14], view.size(round * arrowScale), formatQuantity(round, "N", 3), "force"),
   ];
   return {
     markup: paper(width, height, html`
-      ${mainStill(view, [main.x, main.y], main.half, m)}${close && detailStill(m, detail)}${scales}`, {
+      ${mesh ? html`<g class="magnified">${mainStill(view, [main.x, main.y], main.half, m)}</g><text class="words title" y="18"></text>`
+    : html`${mainStill(view, [main.x, main.y], main.half, m)}${close && detailStill(m, detail)}`}${scales}`, {
       "px-per-mm": view.scale, "mm-per-n": arrowScale,
     }),
     caption: [caption(m), real && message("drawing.realForces")].filter(Boolean).join(" "),
     pairs: names,
-    ringPairs: ring?.force && close ? m.cranks.flatMap((_, j) => ring.pins.map((_pin, k) => `${j + 1}/${k + 1}`)) : [],
+    ringPairs: ring?.force && (close || mesh) ? m.cranks.flatMap((_, j) => ring.pins.map((_pin, k) => `${j + 1}/${k + 1}`)) : [],
     end: m.end,
     attach(host) {
       const parts = partsOf(host, { view, close, main, detail, arrowScale });
@@ -294,6 +297,12 @@ export function createDrawing({ input, answer, curves, width, height, alone = fa
           }
           placeMain(parts, state);
           placeRing(parts, state);
+          if (mesh) {
+            const { place, said } = meshAt(m, state, pair);
+            const [x, y] = view.at(place);
+            host.querySelector(".magnified").setAttribute("transform", `translate(${width / 2 - x} ${height / 2 - y})`);
+            fill(parts.title, titleMarkup(said, { x: width / 2, half: width / 2 }, width));
+          }
           if (!close) return;
           const ofRing = isOfRing(pair);
           parts.one.root.classList.toggle("none", ofRing);

@@ -4,7 +4,7 @@
  * Only what the schema cannot say stands here: which fields exclude each other, the values that the
  * theory suggests, what the verdict reads from the answer, which figures there are.
  */
-import { cell, stated } from "../../lib/verdict.js";
+import { cell, quantityCell, stated } from "../../lib/verdict.js";
 import { digitsOf, formatAngle, formatNumber, formatQuantity, tidy } from "../../lib/format.js";
 import { pairsOf } from "../../lib/chart.js";
 import { DIAMETER, inDiameters } from "../../lib/units.js";
@@ -264,7 +264,7 @@ export default {
     return withoutFalseSafety(await post("/crank-planetary", {
       ...asked,
       ...(asked.load && { load: { ...asked.load, include: optional } }),
-      include: [...sections, ...(sections.includes("contact_force") && (filled.mechanism.output ?? "pins") !== "pins" ? ["members"] : []), ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), ...(sections.includes("ring_mesh") ? ["ring_drawing"] : []), "checks"],
+      include: [...sections, ...(sections.includes("contact_force") && (filled.mechanism.output ?? "pins") !== "pins" ? ["members"] : []), ...(solved ? [this.solved] : []), ...(solved && tables.has("cyclogram") ? ["real_cyclogram"] : []), ...(sections.includes("ring_mesh") ? ["ring_drawing"] : []), ...(sections.includes("envelope") && !sections.includes("mass") ? ["mass"] : []), "checks"],
     }));
   },
 
@@ -291,6 +291,7 @@ export default {
       cell(message("verdict.peak"), answer[judged], (section) => peakCell(section, input, judged)),
       cell(message("figure.driving"), answer.cyclogram, (section) => pairsCell(section, answer.load_sharing)),
       cell(quantityTitle("max_pressure_MPa"), answer.hertz, (section) => pressureCell(section, input)),
+      ...(answer.mass?.mass_kg === undefined ? [] : [quantityCell(answer.mass, "mass_kg", message("mass.of"))]),
     ];
   },
 
@@ -304,6 +305,7 @@ export default {
     create: createDrawing, section: "cyclogram", figure: "force", curves: curvesOf, moving: true, start: (answer) => judgedOf(answer)?.peak_crank_angle_deg,
     views: [
       { id: "disc", create: (about) => createDrawing({ ...about, alone: true }) },
+      { id: "mesh", shows: (_input, { ring_drawing: teeth }) => Boolean(teeth), create: (about) => createDrawing({ ...about, alone: true, mesh: true }) },
       { id: "axis", shows: ({ contact, besides = {} }) => Boolean(contact?.contact_length_mm && placesOf(besides)), load: async () => (await import("./along.js")).axisDrawing },
     ],
   },

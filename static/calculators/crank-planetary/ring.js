@@ -1,4 +1,5 @@
 /** Satellites and their ring, cycloid discs on pins or involute teeth, to scale: what of the drawing of the mechanism is theirs. */
+import { isOfRing } from "../../lib/chart.js";
 import { formatQuantity } from "../../lib/format.js";
 import { html } from "../../lib/html.js";
 import { arrowOf, circle, path, roundBelow, set, setArrow } from "../../lib/svg.js";
@@ -6,6 +7,7 @@ import { message } from "../../messages/index.js";
 import { pitchRadii, ringAt } from "./mechanism.js";
 
 const GAP = 0.09; // the longest bar of a gap at most, of the circle of the ring's pins
+const PITCHES = 3.2; // in sight where the mesh is magnified
 const APART = 3; // px between the bars of discs at one pin
 const NUMBERED = 6.5; // px: least radius of a pin with its number beside it
 const RADIAN = Math.PI / 180;
@@ -148,9 +150,29 @@ export function placeRingDetail(parts, { m, angle, directions }, name) {
   set(one.normal, { x1: detail.x, y1: detail.y, x2: spot[0] - normal[0] * detail.half, y2: spot[1] + normal[1] * detail.half });
   const length = force[i] * arrowScale * view.scale; // the bar of the forces holds here too
   setArrow(one.arrow, [spot[0] + normal[0] * length, spot[1] - normal[1] * length], spot, force[i] > 0);
-  return force[i] > 0
-    ? message("drawing.ringCarries", { satellite, pin: number, force: formatQuantity(force[i], "N", 3) })
-    : message("drawing.ringGap", { satellite, pin: number, gap: formatQuantity(gap[i], "mm", 2) });
+  return wordsOf(name, force[i], gap[i]);
+}
+
+/** What is said of a pin of the ring and a disc, `satellite/pin`. */
+function wordsOf(name, force, gap) {
+  const [satellite, pin] = name.split("/");
+  return force > 0 ? message("drawing.ringCarries", { satellite, pin, force: formatQuantity(force, "N", 3) })
+    : message("drawing.ringGap", { satellite, pin, gap: formatQuantity(gap, "mm", 2) });
+}
+
+/** How much of the mesh is in sight where it is magnified, mm. */
+export const meshInSight = ({ circle: own, ringTeeth, pins }) => (PITCHES * 2 * Math.PI * own) / (ringTeeth ?? pins.length);
+
+/** Where the mesh is to be looked at, and what is said of it: the pin that bears most or is selected; of involute teeth where they meet. */
+export function meshAt(m, { angle, directions }, pair) {
+  const { ring } = m;
+  if (!ring.force) return { place: directions[0].map((part) => part * ring.circle), said: "" };
+  const { force, gap } = ringAt(m, angle);
+  const count = ring.pins.length;
+  const [satellite, pin] = isOfRing(pair) ? pair.split("/").map(Number) : [];
+  const i = satellite ? (satellite - 1) * count + pin - 1 : force.indexOf(Math.max(...force));
+  const name = `${Math.floor(i / count) + 1}/${(i % count) + 1}`;
+  return { place: ring.pins[i % count].centre, said: wordsOf(name, force[i], gap[i]) };
 }
 
 /** What is said of the ring under the drawing; nothing where there is none. */
