@@ -2,5 +2,7 @@
 
 Modules
 -------
+drawn       what the requests of files have in common
 dxf         satellites and ring as drawings for cutting
+build123d   all parts as solids, by a script
 """

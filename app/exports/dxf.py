@@ -3,19 +3,16 @@
 import io
 import re
 import zipfile
-from typing import TYPE_CHECKING, ClassVar, NamedTuple, Self
+from typing import TYPE_CHECKING, NamedTuple, Self
 
 import numpy as np
 from pydantic import Field, model_validator
 
 from app import VERSION
-from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
-from app.calculations.document import Needs
 from app.calculations.mechanism import MAX_SATELLITES
-from app.model import Export, File, RequestModel, pointer, quantity
-from app.problems import Problem, refusal
+from app.exports.drawn import DrawnRequest, refuse_many_pins
+from app.model import Export, File, quantity
 from app.rules import field_error
-from app.settings import Settings
 from app.units import from_si, to_si
 from core.arrays import FloatArray
 from core.design.document import Design
@@ -28,7 +25,7 @@ from core.design.drawings import (
     drawn_ring_pins,
     drawn_satellites,
 )
-from core.errors import InvalidInput, NotKnown
+from core.errors import NotKnown
 
 if TYPE_CHECKING:
     from ezdxf.layouts import Modelspace
@@ -39,9 +36,6 @@ RING, RING_PINS = "ring", "ring_pins"
 
 PART = r"satellite_([1-9]\d{0,2})|ring_pins|ring"
 """Names of parts."""
-
-MOST_CIRCLES = 1000
-"""Largest number of holes, and of ring pins, as a file of so many takes a second."""
 
 FORMAT = "R2010"
 """Version of the files; newer ones have nothing that they need."""
@@ -70,22 +64,9 @@ EARLIEST = (1980, 1, 1, 0, 0, 0)
 """Date of files in a ZIP, the earliest possible, so that equal requests give equal files."""
 
 
-class DrawnDesign(CrankPlanetaryRequest):
-    """Request of `/crank-planetary`, which needs only what is drawn."""
-
-    NEEDS: ClassVar[Needs] = ()
-    NEEDED_OF: ClassVar[dict[str, Needs]] = {}
-
-
-class DxfRequest(RequestModel, group="drawing"):
+class DxfRequest(DrawnRequest, group="drawing"):
     """Design, and the parts that are drawn."""
 
-    design: DrawnDesign = Field(
-        description="Request of /crank-planetary with a ring of pins whose modification is given,"
-        " or with involute teeth whose profile shifts and heights are given, as "
-        "unknown shapes are not drawn. Satellites have holes if pins are given. Deviations are "
-        "not drawn, and the results that the request names are not calculated."
-    )
     parts: list[str] = Field(
         min_length=1,
         max_length=MAX_SATELLITES + 1,
@@ -108,29 +89,6 @@ class DxfRequest(RequestModel, group="drawing"):
                 raise field_error(f"parts/{index}", "no_such_part", parts=f"{own}, {ring}")
         return self
 
-    @model_validator(mode="after")
-    def _no_lobe_left_out(self) -> Self:
-        lobes, pins = self.design.mechanism.teeth or (0, 1)
-        if self.design.ring_kind == "cycloid" and pins != lobes + 1:
-            more = {"expected": lobes + 1}
-            raise field_error("design/mechanism/ring_teeth", "not_this_cycloid", **more)
-        return self
-
-    def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse inputs that the design's own request refuses, and too many circles."""
-        try:
-            self.design.refuse_beyond(settings)
-        except Problem as error:
-            raise error.beneath("/design") from error
-        own = self.design.mechanism
-        if own.pairs > MOST_CIRCLES:
-            raise InvalidInput("pins", own.pins, "too_many_pairs", **own.most_pins(MOST_CIRCLES))
-
-    @property
-    def involute(self) -> bool:
-        """True if satellites and ring have involute teeth."""
-        return self.design.ring_kind == "involute"
-
     @property
     def satellites(self) -> tuple[int, ...]:
         """Numbers of the requested satellites, each once."""
@@ -143,9 +101,7 @@ class DxfRequest(RequestModel, group="drawing"):
         parts = {}
         if not self.involute:
             pins = drawn_ring_pins(design=design)
-            if (count := len(pins.centres)) > MOST_CIRCLES:
-                limit = MOST_CIRCLES
-                raise InvalidInput("mechanism.ring_teeth", count, "less_than_equal", limit=limit)
+            refuse_many_pins(len(pins.centres))
             parts = {RING_PINS: _ring_pins(pins)}
         elif RING in self.parts:
             parts = {RING: _ring(drawn_ring(design=design, chord_error=error), design)}
@@ -278,8 +234,7 @@ def write(body: DxfRequest) -> File:
     try:
         parts = body.drawn()
     except NotKnown as error:
-        missing = error.missing[0] if error.missing else "gear"
-        raise refusal(pointer(body.path_of(missing)), "needed_to_draw") from error
+        body.refuse_unknown(error)
     files = {part.said["part"]: _file(part) for part in parts}
     if len(files) == 1:
         ((name, content),) = files.items()

@@ -18,7 +18,8 @@ import pytest
 from app import VERSION
 from app.endpoint import calculated, read_body
 from app.examples import EXAMPLES, REQUESTS
-from app.exports.dxf import DXF, LAYERS, MOST_CIRCLES, ZIP, DxfRequest, write
+from app.exports.drawn import MOST_CIRCLES
+from app.exports.dxf import DXF, LAYERS, ZIP, DxfRequest, write
 from app.problems import Problem
 from app.registry import EXPORTS
 from app.settings import Settings

@@ -1,0 +1,237 @@
+"""Parts of a design as solids: outlines with round holes, each along a stretch of the axis.
+
+Sizes are nominal, at crank angle 0, with X and Y as in `core.design.drawings` and z as in
+`core.design.layout`. Shapes that a design does not state are those whose mass `core.design.mass`
+estimates: plain plates, rings and cylinders.
+"""
+
+from collections.abc import Callable, Iterator
+from functools import cached_property, partial
+from typing import NamedTuple
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.design.document import Design
+from core.design.drawings import drawn_ring, drawn_ring_pins, drawn_satellites
+from core.design.layout import BuildPart
+from core.errors import UNKNOWN, required
+from core.output.mechanism import pin_geometry
+
+Point = tuple[float, float]
+
+ORIGIN: Point = (0.0, 0.0)
+
+
+class Lobes(NamedTuple):
+    """Closed outline of equal lobes or teeth."""
+
+    points: (
+        FloatArray  # of one lobe, clockwise, m, shape (n, 2); the next one begins after the last
+    )
+    lobes: int  # number of them
+    smooth: bool  # True if a smooth curve runs through the points, False for their polygon
+
+
+class Stretch(NamedTuple):
+    """Solid between two places along the axis, m."""
+
+    outline: Lobes | float  # about the centre; a radius if round
+    low: float
+    high: float
+    centre: Point = ORIGIN
+    holes: tuple[tuple[float, float, float], ...] = ()  # X and Y about the centre, and radius
+    opening: Lobes | None = None  # inner outline of a ring
+
+
+class Body(NamedTuple):
+    """Part of one or more stretches, and where equal ones are."""
+
+    name: str
+    stretches: tuple[Stretch, ...]
+    places: tuple[Point, ...] = (ORIGIN,)  # shift of each piece, m
+
+
+class Solids(NamedTuple):
+    """Solids of a design."""
+
+    bodies: tuple[Body, ...]
+    chord_error: float  # largest distance of outlines from the polygon of their points, m
+    left_out: dict[str, str]  # code of what is not known of a part, by the part's name
+
+
+def solids(design: Design, *, chord_error: float) -> Solids:
+    """Solids of all parts of a design whose sizes are known.
+
+    Raises what `drawn_satellites` and `drawn_ring` or `drawn_ring_pins` raise. Other parts whose
+    sizes are not known are left out. The chord error is that of an outline's polygon, m, > 0.
+    """
+    made = _Maker(design, chord_error)
+    bodies, left_out = [*made.discs, *made.ring], {}
+    for name, of_part in made.others.items():
+        try:
+            bodies += of_part()
+        except UNKNOWN as why:
+            left_out[name] = why.code
+    return Solids(tuple(bodies), made.error, left_out)
+
+
+class _Maker:
+    """Solids of one design, part by part."""
+
+    def __init__(self, design: Design, chord_error: float) -> None:
+        numbers = tuple(range(1, design.mechanism.satellites + 1))
+        self.design, self.chord_error = design, chord_error
+        self.drawn = drawn_satellites(design=design, numbers=numbers, chord_error=chord_error)
+        self.error = max(each.chord_error for each in self.drawn)
+
+    @property
+    def others(self) -> dict[str, Callable[[], Iterator[Body]]]:
+        """Solids besides discs and ring, by the names of the parts."""
+        design = self.design
+        own: dict[str, Callable[[], Iterator[Body]]] = {
+            "pins": self.pins,
+            "carrier": partial(self.plate, 0),
+        }
+        if design.sleeved:
+            own["sleeves"] = self.sleeves
+        if design.second_carrier_width:
+            own["second_carrier"] = partial(self.plate, 1)
+        if design.members.output != "coupling":
+            own |= {"shaft": self.shaft, "satellite_bearings": self.satellite_bearings}
+            own |= {f"bearing_{'ab'[end]}": partial(self.bearing, end) for end in (0, 1)}
+        return own
+
+    @cached_property
+    def pin_centres(self) -> tuple[Point, ...]:
+        """Centres of the output pins, m."""
+        design, pair = self.design, self.design.nominal_pair
+        found = pin_geometry(
+            mechanism=design.built,
+            crank_angle=0.0,
+            pin_circle_radius=design.pin_circle_radius,
+            pin_radius=pair.pin_radius,
+            hole_radius=pair.hole_radius,
+            eccentricity=design.known_eccentricity,
+        )
+        return _points(found.pin_centres)
+
+    @property
+    def discs(self) -> Iterator[Body]:
+        """Satellites with their holes and bores."""
+        design = self.design
+        half, count = design.pin_length / 2, design.lobes
+        for each, place in zip(self.drawn, design.disc_places, strict=True):
+            holes = [(x, y, each.holes.radius) for x, y in each.holes.centres] if each.holes else []
+            if each.bore_radius:
+                holes.append((*ORIGIN, each.bore_radius))
+            lobe = each.outline[: len(each.outline) // count]
+            outline = Lobes(lobe, count, design.gear.kind == "cycloid")
+            at = (place - half, place + half, each.centre, tuple(holes))
+            yield Body(f"satellite_{each.number}", (Stretch(outline, *at),))
+
+    @property
+    def ring(self) -> Iterator[Body]:
+        """Housing with the seats of its pins and the pins, or with its teeth."""
+        design = self.design
+        ends, outer = design.ends["housing"], design.housing_diameter / 2
+        if design.gear.kind == "involute":
+            drawn = drawn_ring(design=design, chord_error=self.chord_error)
+            self.error = max(self.error, drawn.chord_error)
+            lobe = drawn.outline[: len(drawn.outline) // drawn.teeth]
+            teeth = Lobes(lobe, drawn.teeth, False)
+            yield Body("housing", (Stretch(outer, *ends, opening=teeth),))
+            return
+        pins = drawn_ring_pins(design=design)
+        seated = design.cycloid.pin_support == "seat"
+        holes = [(*ORIGIN, pins.circle_radius if seated else design.ring_reach)]
+        if seated:
+            holes += [(x, y, pins.radius) for x, y in pins.centres]
+        yield Body("housing", (Stretch(outer, *ends, holes=tuple(holes)),))
+        yield Body("ring_pin", (Stretch(pins.radius, *ends),), _points(pins.centres))
+
+    @property
+    def far_end(self) -> float:
+        """Far ends of the output pins, m: outer face of the second plate, or of the last disc."""
+        design = self.design
+        second = design.second_carrier_width
+        return design.second_face + second if second else design.room[1] - design.gap
+
+    def pins(self) -> Iterator[Body]:
+        """Output pins through the plates that hold them."""
+        design = self.design
+        low = 0.0 if design.bolted else -design.carrier_width
+        bore = design.pin.bore_diameter if design.pin else 0.0
+        holes = ((*ORIGIN, bore / 2),) if bore else ()
+        pin = Stretch(design.pin_diameter / 2, low, self.far_end, holes=holes)
+        yield Body("pin", (pin,), self.pin_centres)
+
+    def sleeves(self) -> Iterator[Body]:
+        """Sleeves on the output pins, one in each hole."""
+        design, half = self.design, self.design.pin_length / 2
+        hole = ((*ORIGIN, design.pin_diameter / 2),)
+        for number, place in enumerate(design.disc_places, 1):
+            outer = design.nominal_pair.pin_radius
+            sleeve = Stretch(outer, place - half, place + half, holes=hole)
+            yield Body(f"sleeve_of_satellite_{number}", (sleeve,), self.pin_centres)
+
+    def plate(self, end: int) -> Iterator[Body]:
+        """Plate of the carrier with the holes of the pins and of the crankshaft's bearing."""
+        design = self.design
+        name: BuildPart = "second_carrier" if end else "carrier"
+        bearings = design.crankshaft.bearings if design.crankshaft else ()
+        radius = design.pin_diameter / 2
+        if design.bolted and not end and design.pin.bolt:
+            radius = design.pin.bolt.core_diameter / 2
+        holes = [(x, y, radius) for x, y in self.pin_centres]
+        if bearings and (seat := bearings[end].outer_diameter):
+            holes.append((*ORIGIN, seat / 2))
+        outer = design.carrier_diameter / 2
+        yield Body(name, (Stretch(outer, *design.ends[name], holes=tuple(holes)),))
+
+    def shaft(self) -> Iterator[Body]:
+        """Crankshaft from end to end of what it carries, with an eccentric in each disc."""
+        design, own = self.design, self.design.bearing or None
+        shaft = design.crankshaft
+        thick = shaft.eccentric_diameter or (own and own.bore_diameter)
+        thick = required(thick, "size_missing", "crankshaft.eccentric_diameter") / 2
+        bores = [each.bore_diameter or 0.0 for each in shaft.bearings]
+        thin = shaft.shaft_diameter or max(bores, default=0.0) or None
+        thin = required(thin, "size_missing", "crankshaft.shaft_diameter") / 2
+        half = ((own and own.width) or design.pin_length) / 2
+        places = sorted(zip(design.disc_places, (each.centre for each in self.drawn), strict=True))
+        ends = [end for name, end in design.ends.items() if name.startswith("bearing")]
+        low = min(places[0][0] - half, *(first for first, _ in ends))
+        high = max(places[-1][0] + half, *(last for _, last in ends))
+        eccentrics = [Stretch(thick, z - half, z + half, centre) for z, centre in places]
+        edges = [low, *(edge for each in eccentrics for edge in each[1:3]), high]
+        between = zip(edges[::2], edges[1::2], strict=True)
+        journals = [Stretch(thin, *both) for both in between if both[1] > both[0]]
+        yield Body("shaft", (*journals, *eccentrics))
+
+    def satellite_bearings(self) -> Iterator[Body]:
+        """Bearings of the discs on their eccentrics, as rings."""
+        own = self.design.bearing
+        for drawn, place in zip(self.drawn, self.design.disc_places, strict=True):
+            ring = self._ring_of(own, "bearing", place)
+            yield Body(f"satellite_bearing_{drawn.number}", (ring._replace(centre=drawn.centre),))
+
+    def bearing(self, end: int) -> Iterator[Body]:
+        """Bearing of the crankshaft, as a ring."""
+        bearings, path = self.design.crankshaft.bearings, f"crankshaft.bearings[{end}]"
+        own = required(bearings or None, "bearing_unnamed", "crankshaft.bearings")[end]
+        required(own.width, "size_missing", f"{path}.width")
+        name: BuildPart = "bearing_b" if end else "bearing_a"
+        yield Body(name, (self._ring_of(own, path, sum(self.design.ends[name]) / 2),))
+
+    def _ring_of(self, bearing: object, path: str, place: float) -> Stretch:
+        names = ("bore_diameter", "outer_diameter", "width")
+        bore, outer, width = (
+            required(getattr(bearing, name), "size_missing", f"{path}.{name}") for name in names
+        )
+        ends = place - width / 2, place + width / 2
+        return Stretch(outer / 2, *ends, holes=((*ORIGIN, bore / 2),))
+
+
+def _points(centres: FloatArray) -> tuple[Point, ...]:
+    return tuple((x, y) for x, y in np.asarray(centres).tolist())
