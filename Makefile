@@ -20,7 +20,7 @@ COMPILE := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --gen
 	--no-header --no-annotate pyproject.toml
 
 .DEFAULT_GOAL := help
-.PHONY: help run check test lint types compiled fast node accuracy catalogue compare mutations ratios house \
+.PHONY: help run check test lint types compiled fast node office accuracy catalogue compare mutations ratios house \
 	bench bench-page requirements audit fuzz image soak attacks load clients picture
 
 help:  ## list the commands
@@ -78,6 +78,10 @@ node: compiled
 	@tests/tools.sh node nodejs
 	@! command -v node >/dev/null || node --test tests/static/all.mjs
 
+office: .venv/run  ## build the solids of examples with build123d and read their STEP files
+	$(HASHED) requirements/cad.txt
+	PYTHONPATH=. $(BIN)/python -m tests.office.solids
+
 accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accuracy.md, docs/numerics.md
 	PYTHONPATH=. $(BIN)/python -m benchmarks.stability
 	PYTHONPATH=. $(BIN)/python -m benchmarks.front
@@ -121,6 +125,7 @@ requirements: .venv/run  ## pin what pyproject.toml asks for, and what that need
 	$(COMPILE) -o requirements/run.txt
 	$(COMPILE) --extra dask -c requirements/run.txt -o requirements/dask.txt
 	$(COMPILE) --extra test -c requirements/dask.txt -o requirements/test.txt
+	$(COMPILE) --extra cad -c requirements/run.txt -o requirements/cad.txt
 
 audit:  ## look for known weaknesses of the pinned packages
 	@tests/audit.sh

@@ -23,4 +23,5 @@ results             results of a design, one property each
 curves              results over crank angles
 drawings            satellites, ring pins and ring as they are drawn
 mass                mass of each part, and inertia at the input
+solids              parts as solids, by outlines and stretches of the axis
 """

@@ -255,7 +255,7 @@ def _discs(design: Design) -> Solid:
     return _less(blank, bore, holes)
 
 
-def _far_end(design: Design) -> float:
+def far_end(design: Design) -> float:
     """Place of the far ends of the pins, m: the second plate's outer face, or the last disc's."""
     second = design.second_carrier_width
     return design.second_face + second if second else design.room[1] - design.gap
@@ -275,7 +275,7 @@ def _pins(design: Design) -> Solid:
         density=_density(pin.material if pin else design.contact.pin_material, path),
         outer=design.pin_diameter,
         inner=pin.bore_diameter if pin else 0.0,
-        length=_far_end(design) + (0.0 if design.bolted else design.carrier_width),
+        length=far_end(design) + (0.0 if design.bolted else design.carrier_width),
     )
 
 
@@ -288,7 +288,7 @@ def _bolts(design: Design) -> Solid:
         count=design.pin_count,
         density=_density(bolt.material or design.pin.material, "pin.bolt.bolt_material"),
         outer=bolt.core_diameter,
-        length=_far_end(design) + design.carrier_width,
+        length=far_end(design) + design.carrier_width,
     )
 
 
@@ -382,28 +382,40 @@ def _housing(design: Design) -> Solid:
     return _less(ring, _on_ring(design, count=_held(design) / 2, **sizes))
 
 
+def plate_holes(*, design: Design, end: int) -> tuple[float, float]:
+    """Diameters in a plate of the carrier, m: of the seat of the crankshaft's bearing, 0 if there
+    is none, and of the holes for pins or their bolts.
+    """
+    bearings = design.crankshaft.bearings if design.crankshaft else ()
+    seat = (bearings[end].outer_diameter if bearings else None) or 0.0
+    bolt = design.pin.bolt if design.bolted and not end else None
+    return seat, bolt.core_diameter if bolt else design.pin_diameter
+
+
 def _plate(design: Design, end: int) -> Solid:
     """Plate of the carrier, with the holes of the pins and that of the crankshaft's bearing."""
     width = design.second_carrier_width if end else design.carrier_width
     sizes: Any = {"density": _of_discs(design), "length": width}
-    bearings = design.crankshaft.bearings if design.crankshaft else ()
-    bore = (bearings[end].outer_diameter if bearings else None) or 0.0
+    bore, hole = plate_holes(design=design, end=end)
     plate = _round(outer=design.carrier_diameter, inner=bore, **sizes)
-    pins = design.bolted and not end
-    hole = design.pin.bolt.core_diameter if pins and design.pin.bolt else design.pin_diameter
     return _less(plate, _on_pins(design, count=design.pin_count, outer=hole, **sizes))
 
 
-def _shaft(design: Design) -> Solid:
-    """Crankshaft with its eccentrics."""
-    shaft, count = design.crankshaft, design.mechanism.satellites
-    places, own = shaft.places, design.bearing or None
+def shaft_sizes(design: Design) -> tuple[float, float, float]:
+    """Diameters of an eccentric and of the crankshaft, and the length of an eccentric, m."""
+    shaft, own = design.crankshaft, design.bearing or None
     thick = shaft.eccentric_diameter or (own and own.bore_diameter)
     thick = required(thick, "size_missing", "crankshaft.eccentric_diameter")
     bores = [each.bore_diameter or 0.0 for each in shaft.bearings]
     thin = shaft.shaft_diameter or max(bores, default=0.0) or None
     thin = required(thin, "size_missing", "crankshaft.shaft_diameter")
-    long = (own and own.width) or design.pin_length
+    return thick, thin, (own and own.width) or design.pin_length
+
+
+def _shaft(design: Design) -> Solid:
+    """Crankshaft with its eccentrics."""
+    shaft, count = design.crankshaft, design.mechanism.satellites
+    places, (thick, thin, long) = shaft.places, shaft_sizes(design)
     on_shaft, held = places["satellite_positions"], places["bearing_positions"]
     first, last = [(each.width or 0.0) / 2 for each in shaft.bearings] or (0.0, 0.0)
     low = min(held[0] - first, min(on_shaft) - long / 2)

@@ -15,6 +15,7 @@ from core.arrays import FloatArray
 from core.design.document import Design
 from core.design.drawings import drawn_ring, drawn_ring_pins, drawn_satellites
 from core.design.layout import BuildPart
+from core.design.mass import far_end, plate_holes, shaft_sizes
 from core.errors import UNKNOWN, required
 from core.output.mechanism import pin_geometry
 
@@ -37,9 +38,9 @@ class Stretch(NamedTuple):
     """Solid between two places along the axis, m."""
 
     outline: Lobes | float  # about the centre; a radius if round
-    low: float
-    high: float
-    centre: Point = ORIGIN
+    low: float  # where it begins, m
+    high: float  # where it ends, m
+    centre: Point = ORIGIN  # X and Y of its centre, m
     holes: tuple[tuple[float, float, float], ...] = ()  # X and Y about the centre, and radius
     opening: Lobes | None = None  # inner outline of a ring
 
@@ -47,15 +48,15 @@ class Stretch(NamedTuple):
 class Body(NamedTuple):
     """Part of one or more stretches, and where equal ones are."""
 
-    name: str
-    stretches: tuple[Stretch, ...]
+    name: str  # name of the part, with the number of its satellite
+    stretches: tuple[Stretch, ...]  # its pieces along the axis, which are one solid
     places: tuple[Point, ...] = (ORIGIN,)  # shift of each piece, m
 
 
 class Solids(NamedTuple):
     """Solids of a design."""
 
-    bodies: tuple[Body, ...]
+    bodies: tuple[Body, ...]  # all parts
     chord_error: float  # largest distance of outlines from the polygon of their points, m
     left_out: dict[str, str]  # code of what is not known of a part, by the part's name
 
@@ -150,20 +151,13 @@ class _Maker:
         yield Body("housing", (Stretch(outer, *ends, holes=tuple(holes)),))
         yield Body("ring_pin", (Stretch(pins.radius, *ends),), _points(pins.centres))
 
-    @property
-    def far_end(self) -> float:
-        """Far ends of the output pins, m: outer face of the second plate, or of the last disc."""
-        design = self.design
-        second = design.second_carrier_width
-        return design.second_face + second if second else design.room[1] - design.gap
-
     def pins(self) -> Iterator[Body]:
         """Output pins through the plates that hold them."""
         design = self.design
         low = 0.0 if design.bolted else -design.carrier_width
         bore = design.pin.bore_diameter if design.pin else 0.0
         holes = ((*ORIGIN, bore / 2),) if bore else ()
-        pin = Stretch(design.pin_diameter / 2, low, self.far_end, holes=holes)
+        pin = Stretch(design.pin_diameter / 2, low, far_end(design), holes=holes)
         yield Body("pin", (pin,), self.pin_centres)
 
     def sleeves(self) -> Iterator[Body]:
@@ -179,34 +173,26 @@ class _Maker:
         """Plate of the carrier with the holes of the pins and of the crankshaft's bearing."""
         design = self.design
         name: BuildPart = "second_carrier" if end else "carrier"
-        bearings = design.crankshaft.bearings if design.crankshaft else ()
-        radius = design.pin_diameter / 2
-        if design.bolted and not end and design.pin.bolt:
-            radius = design.pin.bolt.core_diameter / 2
-        holes = [(x, y, radius) for x, y in self.pin_centres]
-        if bearings and (seat := bearings[end].outer_diameter):
+        seat, hole = plate_holes(design=design, end=end)
+        holes = [(x, y, hole / 2) for x, y in self.pin_centres]
+        if seat:
             holes.append((*ORIGIN, seat / 2))
         outer = design.carrier_diameter / 2
         yield Body(name, (Stretch(outer, *design.ends[name], holes=tuple(holes)),))
 
     def shaft(self) -> Iterator[Body]:
         """Crankshaft from end to end of what it carries, with an eccentric in each disc."""
-        design, own = self.design, self.design.bearing or None
-        shaft = design.crankshaft
-        thick = shaft.eccentric_diameter or (own and own.bore_diameter)
-        thick = required(thick, "size_missing", "crankshaft.eccentric_diameter") / 2
-        bores = [each.bore_diameter or 0.0 for each in shaft.bearings]
-        thin = shaft.shaft_diameter or max(bores, default=0.0) or None
-        thin = required(thin, "size_missing", "crankshaft.shaft_diameter") / 2
-        half = ((own and own.width) or design.pin_length) / 2
+        design = self.design
+        thick, thin, long = shaft_sizes(design)
+        half = long / 2
         places = sorted(zip(design.disc_places, (each.centre for each in self.drawn), strict=True))
         ends = [end for name, end in design.ends.items() if name.startswith("bearing")]
         low = min(places[0][0] - half, *(first for first, _ in ends))
         high = max(places[-1][0] + half, *(last for _, last in ends))
-        eccentrics = [Stretch(thick, z - half, z + half, centre) for z, centre in places]
+        eccentrics = [Stretch(thick / 2, z - half, z + half, centre) for z, centre in places]
         edges = [low, *(edge for each in eccentrics for edge in each[1:3]), high]
         between = zip(edges[::2], edges[1::2], strict=True)
-        journals = [Stretch(thin, *both) for both in between if both[1] > both[0]]
+        journals = [Stretch(thin / 2, *both) for both in between if both[1] > both[0]]
         yield Body("shaft", (*journals, *eccentrics))
 
     def satellite_bearings(self) -> Iterator[Body]:

@@ -568,6 +568,7 @@ export default {
     json: "Requests and answers, JSON",
     csv: "All results, CSV",
     dxf: "Drawings, DXF",
+    build123d: "Solids, script for STEP",
     copy: "Copy",
     copyWhat: "Copy: {what}",
     copied: "Copied",

@@ -567,6 +567,7 @@ export default {
     json: "Запросы и ответы, JSON",
     csv: "Все результаты, CSV",
     dxf: "Чертежи, DXF",
+    build123d: "Тела, скрипт для STEP",
     copy: "Копировать",
     copyWhat: "Копировать: {what}",
     copied: "Скопировано",

@@ -567,6 +567,7 @@ export default {
     json: "Запити й відповіді, JSON",
     csv: "Усі результати, CSV",
     dxf: "Креслення, DXF",
+    build123d: "Тіла, скрипт для STEP",
     copy: "Копіювати",
     copyWhat: "Копіювати: {what}",
     copied: "Скопійовано",

@@ -22,16 +22,14 @@ from core.design.drawings import drawn_disc
 from core.design.mass import mass
 from core.material_table import MATERIALS
 from core.output.elasticity import LinearLaw
+from core.precision import AS_TYPED
 from core.ring.sharing import mesh_gaps
-from tests.app.test_dxf_api import UNEVEN, distance
+from tests.inputs.drawings import UNEVEN, distance
 
 STEEL = MATERIALS["steel_structural"].material.density * 1e-9  # kg/mm^3
 
 
-def given(name):
-    """Request of an example of the page."""
-    (example,) = (each for each in EXAMPLES if each["id"] == name)
-    return next(each for each in example.values() if isinstance(each, dict) and "load" in each)
+INPUTS = {each["id"]: each["input"] for each in EXAMPLES}
 
 
 @dataclass
@@ -134,7 +132,7 @@ def made(design):
 
 
 def test_volumes_are_those_of_the_masses():
-    design = given("cycloid")
+    design = INPUTS["cycloid"]
     bodies, pieces = run(made(design))
     weights: dict[str, float] = {}
     for each in pieces:
@@ -144,7 +142,7 @@ def test_volumes_are_those_of_the_masses():
     of_mass = {each.code: each.mass for each in known.parts}
     alike = {"pin": "pins", "carrier": "carrier", "second_carrier": "second_carrier"}
     for name, code in (alike | {"shaft": "shaft"}).items():
-        assert weights[name] == pytest.approx(of_mass[code], rel=1e-7), name
+        assert weights[name] == pytest.approx(of_mass[code], rel=AS_TYPED), name
     # Outlines are polygons here, and ring pins are of bearing steel.
     assert weights["satellite"] == pytest.approx(of_mass["discs"], rel=1e-4)
     bearing_steel = MATERIALS["steel_bearing"].material.density * 1e-9
@@ -164,7 +162,7 @@ def test_volumes_are_those_of_the_masses():
     assert len(seats) == len(bodies["ring_pin"][1]) == 21
 
 
-@pytest.mark.parametrize("design", [UNEVEN, given("cycloid")], ids=["uneven", "cycloid"])
+@pytest.mark.parametrize("design", [UNEVEN, INPUTS["cycloid"]], ids=["uneven", "cycloid"])
 def test_parts_touch_as_in_the_design(design):
     """Output pins are off their holes by the clearance, ring pins off the discs by their gaps."""
     bodies, _ = run(made(design))
@@ -193,7 +191,7 @@ def test_parts_touch_as_in_the_design(design):
 
 
 def test_involute_teeth_are_an_opening_of_the_housing():
-    bodies, _ = run(made(given("involute")))
+    bodies, _ = run(made(INPUTS["involute"]))
     assert not [name for name in bodies if name.startswith("ring_pin")]
     ((housing, *_),) = bodies["housing"][0].stretches
     ((disc, *_, centre),) = bodies["satellite_1"][0].stretches

@@ -393,8 +393,9 @@ test("discs are drawn of which all is known, each with its own crank", async () 
   for (const gear of [cycloid, { ...cycloid, ring_pin_radius_mm: undefined, modification }, { kind: "involute", module_mm: 2 }]) {
     assert.deepEqual(await drawn(gear), []);
   }
-  const [{ id, path, body: { design, parts } }] = await drawn({ ...cycloid, modification }, { crank_angles_deg: [0, 100, 230], satellites: 3 });
+  const [{ id, path, body: { design, parts } }, solids] = await drawn({ ...cycloid, modification }, { crank_angles_deg: [0, 100, 230], satellites: 3 });
   assert.deepEqual([id, path, parts], ["dxf", "/export/dxf", ["satellite_1", "satellite_2", "satellite_3", "ring_pins"]]);
+  assert.deepEqual(solids, { id: "build123d", path: "/export/build123d", body: { design } });
   assert.deepEqual(design.gear, { ...cycloid, modification });
   assert.equal(design.include, undefined);
 });

@@ -349,7 +349,10 @@ export default {
     const ring = shaped(design.gear) ? "ring" : design.gear?.modification && design.gear.ring_pin_radius_mm && "ring_pins";
     if (!ring) return [];
     const discs = cranksOf(filled.mechanism).map((_, j) => `satellite_${j + 1}`);
-    return [{ id: "dxf", path: "/export/dxf", body: { design, parts: [...discs, ring] } }];
+    return [
+      { id: "dxf", path: "/export/dxf", body: { design, parts: [...discs, ring] } },
+      { id: "build123d", path: "/export/build123d", body: { design } },
+    ];
   },
 
   /** What finds designs for a requirement. */
