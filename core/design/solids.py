@@ -27,9 +27,7 @@ ORIGIN: Point = (0.0, 0.0)
 class Lobes(NamedTuple):
     """Closed outline of equal lobes or teeth."""
 
-    points: (
-        FloatArray  # of one lobe, clockwise, m, shape (n, 2); the next one begins after the last
-    )
+    points: FloatArray  # points of one lobe without its end, clockwise, m, shape (n, 2)
     lobes: int  # number of them
     smooth: bool  # True if a smooth curve runs through the points, False for their polygon
 

@@ -22,7 +22,7 @@ from core.design.drawings import drawn_disc
 from core.design.mass import mass
 from core.material_table import MATERIALS
 from core.output.elasticity import LinearLaw
-from core.precision import AS_TYPED
+from core.precision import EXACT
 from core.ring.sharing import mesh_gaps
 from tests.inputs.drawings import UNEVEN, distance
 
@@ -142,7 +142,7 @@ def test_volumes_are_those_of_the_masses():
     of_mass = {each.code: each.mass for each in known.parts}
     alike = {"pin": "pins", "carrier": "carrier", "second_carrier": "second_carrier"}
     for name, code in (alike | {"shaft": "shaft"}).items():
-        assert weights[name] == pytest.approx(of_mass[code], rel=AS_TYPED), name
+        assert weights[name] == pytest.approx(of_mass[code], rel=EXACT), name
     # Outlines are polygons here, and ring pins are of bearing steel.
     assert weights["satellite"] == pytest.approx(of_mass["discs"], rel=1e-4)
     bearing_steel = MATERIALS["steel_bearing"].material.density * 1e-9
