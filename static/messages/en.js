@@ -384,9 +384,9 @@ export default {
     shaft: "Shaft",
   },
   rows: {
+    none: "none", count: { one: "{count} row", other: "{count} rows" },
     add: "Add a row",
     help: "{title}: {help}",
-    remove: "Remove",
     removeRow: "Remove row {row}",
     cell: "Row {row}, {title}",
     problem: "Row {row}, {title}: {words}",

@@ -383,9 +383,9 @@ export default {
     shaft: "Вал",
   },
   rows: {
+    none: "нет", count: { one: "{count} строка", few: "{count} строки", many: "{count} строк", other: "{count} строки" },
     add: "Добавить строку",
     help: "{title}: {help}",
-    remove: "Удалить",
     removeRow: "Удалить строку {row}",
     cell: "Строка {row}, {title}",
     problem: "Строка {row}, {title}: {words}",

@@ -383,9 +383,9 @@ export default {
     shaft: "Вал",
   },
   rows: {
+    none: "немає", count: { one: "{count} рядок", few: "{count} рядки", many: "{count} рядків", other: "{count} рядка" },
     add: "Додати рядок",
     help: "{title}: {help}",
-    remove: "Вилучити",
     removeRow: "Вилучити рядок {row}",
     cell: "Рядок {row}, {title}",
     problem: "Рядок {row}, {title}: {words}",

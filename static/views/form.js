@@ -9,10 +9,10 @@ import { shownFields, textIn } from "../lib/form_state.js";
 import { fieldsOf } from "../lib/schema_form.js";
 import { following, readingText, refusedAt, unread, wants } from "../store.js";
 import { createField } from "./field.js";
-import { createRows } from "./rows.js";
+import { createRecords } from "./rows.js";
 import { createSection } from "./section.js";
 import { createMenu } from "./menu.js";
-import { createGrid, createNames, createSwitch } from "./wanted_fields.js";
+import { createNames, createSwitch } from "./wanted_fields.js";
 
 function choiceAbout(choice) {
   const own = choice.auto ? null : message(`choice.${choice.id}`);
@@ -120,7 +120,7 @@ export function createForm({ model, calculator, catalogues, lengths, unfolded = 
   const apart = new Set(); // of what follows another box, what has been said by itself
   let suggested = {};
 
-  const creates = (field) => ({ records: field.rows ? createGrid : createRows, names: createNames, switch: createSwitch })[field.kind] ?? createField;
+  const creates = (field) => ({ records: createRecords, names: createNames, switch: createSwitch })[field.kind] ?? createField;
 
   function addField(field, host) {
     const view = creates(field)(field, {
@@ -246,13 +246,13 @@ export function createForm({ model, calculator, catalogues, lengths, unfolded = 
       }
       const reading = missing.includes(path) ? {} : readings[path];
       const usual = texts[path] === textIn(field, field.default);
-      const folded = view.root.closest("details:is(.more, .grid)");
+      const folded = view.root.closest("details.more");
       if (folded && !usual) folded.open = true;
       view.root.dataset.origin = texts[path] === "" ? "empty" : usual ? "usual" : "typed";
       const names = namesOf(field) ?? field.options?.map((name) => ({ name, title: name === "" ? "–" : message("option")[name], group_code: seriesOf(name) }));
       if (names) view.setNames?.(names, texts[path]);
       view.setText(field.kind === "switch" && !wants(state, field.wanted) ? "" : texts[path]);
-      view.setRows?.(field.rows(filled));
+      if (field.rows) view.setRows(field.rows(filled));
       if (field.empty) view.setPlaceholder(message(`form.${field.empty}`));
       if (field.follows) view.setPlaceholder(reading?.followed ? textIn(field, reading.value) : "");
       const refused = refusedAt(state, path);

@@ -123,6 +123,11 @@ def emptied(page: Page) -> None:
     begun(page, '[data-do="cleared"]')
 
 
+def open_rows(page: Page, path: str) -> None:
+    """Open the grid of a list of records over the centre."""
+    page.locator(f'[data-path="{path}"] .open-records').click()
+
+
 def from_menu(page: Page, path: str, act: str) -> None:
     """Choose what the menu of a field offers."""
     page.locator(f'[data-path="{path}"] .size').click()

@@ -7,7 +7,16 @@ import pytest
 from axe_playwright_python.base import AXE_SCRIPT
 from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.calculator_page import box, emptied, from_menu, picked, settled, show, tab
+from tests.browser.calculator_page import (
+    box,
+    emptied,
+    from_menu,
+    open_rows,
+    picked,
+    settled,
+    show,
+    tab,
+)
 from tests.browser.conftest import UNFOLDED
 
 CALCULATORS = {
@@ -137,6 +146,9 @@ OPEN_ALL = "() => document.querySelectorAll('details').forEach((one) => (one.ope
 
 def test_axe_finds_nothing_in_any_other_state(open_page: Page, service: str) -> None:
     page = open_page
+    show(page, service, "precession")
+    open_rows(page, "rollers")
+    assert violations(page, ".inputs") == [], "a list over the centre"
     show(page, service, "crank-planetary")
     from_menu(page, "contact.pin_radius_mm", "Size for")
     expect(page.locator('[data-part="apply"]')).to_be_enabled()

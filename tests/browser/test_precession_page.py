@@ -14,6 +14,7 @@ from tests.browser.calculator_page import (
     first_example,
     fits_narrow_screens,
     number,
+    open_rows,
     opened,
     reopen,
     result,
@@ -61,6 +62,8 @@ def test_opens_with_the_papers_example_and_nothing_of_another_calculator(
 def test_rollers_one_by_one_with_the_keyboard(page: Page, service: str, watch: Any) -> None:
     show(page, service, "precession")
     before = figures(page)
+    expect(page.locator('[data-path="rollers"] .open-records')).to_have_text("4 rows")
+    open_rows(page, "rollers")
     page.get_by_role("button", name="Remove row 4").press("Enter")
     expect(page.locator(".summary")).to_contain_text("3 rollers")
     expect(page.get_by_role("button", name="Remove row 1")).to_be_focused()
@@ -70,12 +73,15 @@ def test_rollers_one_by_one_with_the_keyboard(page: Page, service: str, watch: A
     page.keyboard.type("105")
     page.keyboard.press("ArrowUp")  # by the schema's step of 15
     expect(cell(page, 4, "Position angle")).to_have_value("120")
-    expect(words_at(page, "rollers")).to_contain_text("position of the roller")
+    expect(page.locator('[data-path="rollers"] .records-line')).to_contain_text(
+        "position of the roller"
+    )
     expect(page.locator(".summary")).to_contain_text("4 rollers")
     settled(page)
     assert figures(page) == before
     reopen(page)
     assert figures(page) == before
+    open_rows(page, "rollers")
 
     # What cannot be read and what the service refuses stand at their row; nothing is asked twice.
     cell(page, 4, "Position angle").fill("12o")
@@ -99,6 +105,8 @@ def test_rollers_one_by_one_with_the_keyboard(page: Page, service: str, watch: A
     cell(page, 3, "Contact from").fill("-50")
     cell(page, 3, "Contact to").fill("-40")
     settled(page)
+    page.keyboard.press("Escape")
+    expect(page.locator('[data-path="rollers"] .open-records')).to_be_focused()
     tab(page, "contactLines").click()
     page.locator('[data-figure="contactLines"] .show-table').click()
     row = page.locator('[data-figure="contactLines"] .figure-table tbody tr').nth(2)
@@ -116,10 +124,12 @@ def test_a_wheel_and_a_stepped_shaft_start_from_the_same_design(page: Page, serv
     choose(page, "shaftBy", "sections")
     settled(page)
     assert figures(page) == before
+    open_rows(page, "shaft_sections")
     cell(page, 2, "Diameter").fill("30")
     expect(page.locator(".results [data-name=simplification_error_C]")).to_be_attached()
     assert figures(page)[2] < before[2]
     reopen(page)
+    open_rows(page, "shaft_sections")
     expect(cell(page, 2, "Diameter")).to_have_value("30")
 
     # A shaft that cannot be computed leaves the mesh standing, and the other way round not.
@@ -146,6 +156,7 @@ def test_narrow_screens_and_the_dark(page: Page, service: str) -> None:
         tab(page, "contactLines").click()
     fits_narrow_screens(page, "precession")
     page.locator('.places [data-place="inputs"]').click()
+    open_rows(page, "rollers")
     boxes = page.locator(".records .box").evaluate_all("all => all.map(one => one.offsetWidth)")
     assert len(boxes) == 4 * 5 and min(boxes) >= 44  # five boxes side by side, still wide
     expect(page.locator(".notes")).to_contain_text("reciprocity")

@@ -93,7 +93,7 @@ def test_teeth_are_typed_by_keyboard_to_a_green_word(page: Page, service: str) -
     # Measured pins: what cannot be is said at its place and stays, and then it counts.
     grid = page.locator('[data-path="deviations.ring_pins"]')
     expect(grid).to_have_count(1)
-    grid.locator("summary").focus()
+    grid.locator(".open-records").focus()
     page.keyboard.press("Enter")
     first = grid.get_by_label("P1, Ring pins outward", exact=True)
     first.focus()
@@ -106,7 +106,7 @@ def test_teeth_are_typed_by_keyboard_to_a_green_word(page: Page, service: str) -
     expect(word(page)).to_contain_text("Fails")
     page.reload()
     settled(page)
-    grid.locator("summary").click()
+    grid.locator(".open-records").click()
     expect(first).to_have_value("-0.02")
 
 

@@ -13,6 +13,7 @@ from tests.browser.calculator_page import (
     box,
     foreign,
     number,
+    open_rows,
     printed,
     reopen,
     settled,
@@ -94,7 +95,7 @@ def test_clearance_and_errors(page: Page, service: str, watch: Watch) -> None:
     expect(real(page).locator(".numbers")).to_contain_text(f"{answer['ideal']['ratio']:.3f}")
     expect(real(page).locator(".js-plotly-plot")).to_be_visible()
     # A part's measures, pasted; what is no number names its place, and all else stays.
-    page.locator('[data-path="deviations.pins"] summary').click()
+    open_rows(page, "deviations.pins")
     first = page.get_by_label("P1, Pins outward", exact=True)
     first.evaluate(
         "(box, text) => { const data = new DataTransfer(); data.setData('text', text);"
@@ -119,6 +120,7 @@ def test_clearance_and_errors(page: Page, service: str, watch: Watch) -> None:
     settled(page)
     reopen(page)
     fresh(page)
+    open_rows(page, "deviations.pins")
     expect(page.get_by_label("P2, Pins outward", exact=True)).to_have_value("-0.02")
     assert page.evaluate("() => watched.shift") < 0.02
     switch(page, "real").uncheck()

@@ -13,7 +13,7 @@ import calculator from "../../static/calculators/crank-planetary/index.js";
 import * as real from "../../static/calculators/crank-planetary/real.js";
 import * as study from "../../static/calculators/crank-planetary/study.js";
 import { documentOf, inputOf, WANTED, wantedSections } from "../../static/calculators/crank-planetary/wanted.js";
-import { pasted } from "../../static/views/wanted_fields.js";
+import { pasted } from "../../static/views/rows.js";
 import { INPUT, OPENAPI } from "./model.mjs";
 import { openapi } from "./service.mjs";
 
