@@ -41,13 +41,13 @@ function proposalMarkup(one, { nameOf, pictureOf }) {
 
 /** Why none holds: which checks reject how many designs, and the design that comes nearest with what it lacks. */
 function noneMarkup({ tally, nearest }, logic) {
-  return html`<table class="data"><caption>${message("propose.why")}</caption><thead><tr>
-      <td></td><th scope="col">${message("propose.failed")}</th><th scope="col">${message("propose.onlyThis")}</th></tr></thead>
-    <tbody>${tally.map(({ code, failed, only_this: only }) => html`<tr><th scope="row">${titleOf({ code })}</th><td>${formatNumber(failed)}</td><td>${formatNumber(only)}</td></tr>`)}</tbody></table>
-    ${nearest && html`<h3 class="nearest">${message("propose.nearest")}</h3>
+  return html`${nearest && html`<h3 class="nearest">${message("propose.nearest")}</h3>
       <div class="proposal" data-at="nearest">${proposalMarkup(nearest, logic)}
         <p class="note">${message("propose.lacks")}</p>
-        <ul class="lacks">${nearest.lacks.map(({ code, asked_over_reached: ratio }) => html`<li>${titleOf({ code })}${ratio !== undefined && html` <b>× ${formatNumber(ratio, 3)}</b>`}</li>`)}</ul></div>`}`;
+        <ul class="lacks">${nearest.lacks.map(({ code, asked_over_reached: ratio }) => html`<li>${titleOf({ code })}${ratio !== undefined && html` <b>× ${formatNumber(ratio, 3)}</b>`}</li>`)}</ul></div>`}
+    <table class="data"><caption>${message("propose.why")}</caption><thead><tr>
+      <td></td><th scope="col">${message("propose.failed")}</th><th scope="col">${message("propose.onlyThis")}</th></tr></thead>
+    <tbody>${tally.map(({ code, failed, only_this: only }) => html`<tr><th scope="row">${titleOf({ code })}</th><td>${formatNumber(failed)}</td><td>${formatNumber(only)}</td></tr>`)}</tbody></table>`;
 }
 
 /** How the search stands, in words. */

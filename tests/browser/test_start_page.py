@@ -85,6 +85,7 @@ def test_a_design_is_brought_as_a_file_or_as_a_link(page: Page, service: str) ->
         page.locator("#start [type=file]").set_input_files(
             {"name": "a.json", "mimeType": "application/json", "buffer": text.encode()}
         )
+        expect(page.locator("#start")).to_have_count(0)
         settled(page)
         assert address(page) == link
     page.get_by_role("button", name="Compare").click()
@@ -97,6 +98,7 @@ def test_a_design_is_brought_as_a_file_or_as_a_link(page: Page, service: str) ->
     expect(page.locator("#start .refused")).to_contain_text("no link")
     pasted.fill(designs)
     pasted.press("Enter")
+    expect(page.locator("#start")).to_have_count(0)
     expect(kept).to_have_count(2)
     settled(page)
     assert address(page) == link
