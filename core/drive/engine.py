@@ -1638,7 +1638,7 @@ def positions(
     for m in range(len(places)):
         if m > 1:
             ahead, wide = places[m] - places[m - 1], places[m - 1] - places[m - 2]
-            if abs(ahead) <= 2 * abs(wide):
+            if 0 < abs(ahead) <= 2 * abs(wide):
                 for i in range(len(work.q)):
                     work.q[i] += ahead / wide * (lags[m - 1, i] - lags[m - 2, i])
                 bend_on(ahead / wide, work)

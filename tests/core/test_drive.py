@@ -57,10 +57,10 @@ def test_as_it_is_the_engine_gives_what_it_gives_compiled(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", seeds(8))
 def test_a_position_does_not_hang_on_those_before_it(seed: int) -> None:
-    """Each begins where the two before it lead."""
+    """Each begins where the two before it lead, which may be at its own place."""
     real, angle, torque = drawn(seed)
     turn = (SeriesTurn if seed % 2 else Turn)(real, torque)
-    places = [angle + 0.02 * k * k for k in range(12)]
+    places = [angle + 0.02 * k * k for k in (0, 1, 2, 2, 2, *range(3, 12))]
     rows = turn.poses(places)
     for k, angle in enumerate(places):
         alone = turn.poses([angle])
