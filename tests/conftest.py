@@ -56,7 +56,7 @@ SLOW = {
 }
 """Folders and files that take seconds each; `make check` leaves them out."""
 
-collect_ignore = ["corpus", "inputs", "oracles"]  # no doctests there
+collect_ignore = ["corpus", "inputs", "office", "oracles"]  # no doctests and no tests there
 
 
 @pytest.fixture(scope="session", autouse=True)
