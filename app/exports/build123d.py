@@ -2,8 +2,7 @@
 
 from collections.abc import Iterable
 
-from app import VERSION
-from app.exports.drawn import DrawnRequest, refuse_many_pins
+from app.exports.drawn import MADE_BY, DrawnRequest, refuse_many_pins
 from app.model import Export, File
 from app.units import from_si
 from core.design.solids import Body, Lobes, Solids, Stretch, solids
@@ -101,11 +100,15 @@ def write(body: SolidsRequest) -> File:
     for each in found.bodies:
         if each.name == "ring_pin":
             refuse_many_pins(len(each.places))
-    return File("reducer.py", PYTHON, script(found).encode())
+    lacking = {
+        name: ".".join(map(str, body.path_of(path))) if path else "its shape"
+        for name, path in found.left_out.items()
+    }
+    return File("reducer.py", PYTHON, script(found, lacking).encode())
 
 
-def script(found: Solids) -> str:
-    """Text of the script."""
+def script(found: Solids, lacking: dict[str, str]) -> str:
+    """Text of the script; `lacking` says for each part that is left out what is not known."""
     stretches = [each for body in found.bodies for each in body.stretches]
     faces = [face for each in stretches for face in (each.outline, each.opening)]
     outlines = [face for face in faces if isinstance(face, Lobes)]
@@ -113,11 +116,11 @@ def script(found: Solids) -> str:
     error = from_si("length_mm", found.chord_error)
     smooth = all(each.smooth for each in outlines)
     kind = "Discs are curves through points" if smooth else "Teeth are polygons of points"
-    left = ", ".join(f"{name} ({code})" for name, code in found.left_out.items())
+    left = "".join(f"\n    {name}: {what} is not known" for name, what in lacking.items())
     return SCRIPT.format(
-        made_by=f"KHV Calc {VERSION}",
+        made_by=MADE_BY,
         outlines=f"{kind} whose polygon is within {error:.2g} mm of the outline.",
-        left_out=f"Left out, as sizes are not known: {left}." if left else "No part is left out.",
+        left_out=f"Left out:{left}" if left else "No part is left out.",
         shapes="\n".join(
             f"    {shapes[id(each)]} = lobes({_rows(each.points)}, {each.lobes}, {each.smooth})"
             for each in outlines

@@ -4,6 +4,7 @@ from typing import ClassVar, NoReturn, Self
 
 from pydantic import Field, model_validator
 
+from app import VERSION
 from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.calculations.document import Needs
 from app.model import RequestModel, pointer
@@ -11,6 +12,8 @@ from app.problems import Problem, refusal
 from app.rules import field_error
 from app.settings import Settings
 from core.errors import InvalidInput, NotKnown
+
+MADE_BY = f"KHV Calc {VERSION}"
 
 MOST_CIRCLES = 1000
 """Largest number of holes, and of ring pins, as a file of so many takes a second."""

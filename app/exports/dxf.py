@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING, NamedTuple, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from app import VERSION
 from app.calculations.mechanism import MAX_SATELLITES
-from app.exports.drawn import DrawnRequest, refuse_many_pins
+from app.exports.drawn import MADE_BY, DrawnRequest, refuse_many_pins
 from app.model import Export, File, quantity
 from app.rules import field_error
 from app.units import from_si, to_si
@@ -57,8 +56,6 @@ LINES = 60.0
 
 DIGITS = 12
 """Decimals of millimetres that exceed rounding."""
-
-MADE_BY = f"KHV Calc {VERSION}"
 
 EARLIEST = (1980, 1, 1, 0, 0, 0)
 """Date of files in a ZIP, the earliest possible, so that equal requests give equal files."""

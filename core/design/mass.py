@@ -401,25 +401,35 @@ def _plate(design: Design, end: int) -> Solid:
     return _less(plate, _on_pins(design, count=design.pin_count, outer=hole, **sizes))
 
 
-def shaft_sizes(design: Design) -> tuple[float, float, float]:
-    """Diameters of an eccentric and of the crankshaft, and the length of an eccentric, m."""
-    shaft, own = design.crankshaft, design.bearing or None
+class ShaftSizes(NamedTuple):
+    """Sizes of a crankshaft with its eccentrics; places are its own, along its axis."""
+
+    thick: float  # diameter of an eccentric, m
+    thin: float  # diameter beside the eccentrics, m
+    long: float  # length of an eccentric, m
+    low: float  # place of its first end, m
+    high: float  # place of its last end, m
+
+
+def shaft_sizes(design: Design) -> ShaftSizes:
+    """Sizes of the crankshaft, from the outside of one bearing to that of the other."""
+    shaft, own, places = design.crankshaft, design.bearing or None, design.crankshaft.places
     thick = shaft.eccentric_diameter or (own and own.bore_diameter)
     thick = required(thick, "size_missing", "crankshaft.eccentric_diameter")
     bores = [each.bore_diameter or 0.0 for each in shaft.bearings]
     thin = shaft.shaft_diameter or max(bores, default=0.0) or None
     thin = required(thin, "size_missing", "crankshaft.shaft_diameter")
-    return thick, thin, (own and own.width) or design.pin_length
-
-
-def _shaft(design: Design) -> Solid:
-    """Crankshaft with its eccentrics."""
-    shaft, count = design.crankshaft, design.mechanism.satellites
-    places, (thick, thin, long) = shaft.places, shaft_sizes(design)
+    long = (own and own.width) or design.pin_length
     on_shaft, held = places["satellite_positions"], places["bearing_positions"]
     first, last = [(each.width or 0.0) / 2 for each in shaft.bearings] or (0.0, 0.0)
     low = min(held[0] - first, min(on_shaft) - long / 2)
     high = max(held[1] + last, max(on_shaft) + long / 2)
+    return ShaftSizes(thick, thin, long, low, high)
+
+
+def _shaft(design: Design) -> Solid:
+    """Crankshaft with its eccentrics."""
+    count, (thick, thin, long, low, high) = design.mechanism.satellites, shaft_sizes(design)
     weight: Any = {"density": _density(MATERIALS[SHAFT].material, SHAFT), "turns": "crank"}
     between = _round(outer=thin, length=max(high - low - count * long, 0.0), **weight)
     circle = design.known_eccentricity

@@ -6,7 +6,7 @@ estimates: plain plates, rings and cylinders.
 """
 
 from collections.abc import Callable, Iterator
-from functools import cached_property, partial
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -16,8 +16,7 @@ from core.design.document import Design
 from core.design.drawings import drawn_ring, drawn_ring_pins, drawn_satellites
 from core.design.layout import BuildPart
 from core.design.mass import far_end, plate_holes, shaft_sizes
-from core.errors import UNKNOWN, required
-from core.output.mechanism import pin_geometry
+from core.errors import UNKNOWN, NotKnown, required
 
 Point = tuple[float, float]
 
@@ -56,7 +55,7 @@ class Solids(NamedTuple):
 
     bodies: tuple[Body, ...]  # all parts
     chord_error: float  # largest distance of outlines from the polygon of their points, m
-    left_out: dict[str, str]  # code of what is not known of a part, by the part's name
+    left_out: dict[str, str]  # path of an input that a part lacks, or "", by the part's name
 
 
 def solids(design: Design, *, chord_error: float) -> Solids:
@@ -71,7 +70,8 @@ def solids(design: Design, *, chord_error: float) -> Solids:
         try:
             bodies += of_part()
         except UNKNOWN as why:
-            left_out[name] = why.code
+            missing = why.missing if isinstance(why, NotKnown) else ()
+            left_out[name] = missing[0] if missing else ""
     return Solids(tuple(bodies), made.error, left_out)
 
 
@@ -92,28 +92,25 @@ class _Maker:
             "pins": self.pins,
             "carrier": partial(self.plate, 0),
         }
-        if design.sleeved:
-            own["sleeves"] = self.sleeves
+        if design.sleeved or design.rollers:
+            name = "pin_bearing" if design.rollers else "sleeve"
+            own[f"{name}s"] = partial(self.sleeves, name)
+        if design.bolted:
+            own["bolts"] = self.bolts
         if design.second_carrier_width:
             own["second_carrier"] = partial(self.plate, 1)
         if design.members.output != "coupling":
             own |= {"shaft": self.shaft, "satellite_bearings": self.satellite_bearings}
             own |= {f"bearing_{'ab'[end]}": partial(self.bearing, end) for end in (0, 1)}
+        if design.crankshaft and design.crankshaft.counterweights:
+            own["counterweights"] = self.counterweights
         return own
 
-    @cached_property
+    @property
     def pin_centres(self) -> tuple[Point, ...]:
-        """Centres of the output pins, m."""
-        design, pair = self.design, self.design.nominal_pair
-        found = pin_geometry(
-            mechanism=design.built,
-            crank_angle=0.0,
-            pin_circle_radius=design.pin_circle_radius,
-            pin_radius=pair.pin_radius,
-            hole_radius=pair.hole_radius,
-            eccentricity=design.known_eccentricity,
-        )
-        return _points(found.pin_centres)
+        """Centres of the output pins about the axis, those of the holes about a disc's, m."""
+        holes = required(self.drawn[0].holes, "section_missing", "contact")
+        return _points(holes.centres)
 
     @property
     def discs(self) -> Iterator[Body]:
@@ -158,14 +155,25 @@ class _Maker:
         pin = Stretch(design.pin_diameter / 2, low, far_end(design), holes=holes)
         yield Body("pin", (pin,), self.pin_centres)
 
-    def sleeves(self) -> Iterator[Body]:
-        """Sleeves on the output pins, one in each hole."""
+    def bolts(self) -> Iterator[Body]:
+        """Cores of the bolts through the pins and the plates, without their heads."""
+        design, bolt = self.design, self.design.pin.bolt
+        assert bolt
+        core = Stretch(bolt.core_diameter / 2, -design.carrier_width, far_end(design))
+        yield Body("bolt", (core,), self.pin_centres)
+
+    def counterweights(self) -> Iterator[Body]:
+        """Raise NotKnown, as only mass times distance is stated."""
+        raise NotKnown("counterweight_unknown", "crankshaft.counterweights")
+
+    def sleeves(self, name: str) -> Iterator[Body]:
+        """Sleeves on the output pins, or bearings as rings, one in each hole."""
         design, half = self.design, self.design.pin_length / 2
         hole = ((*ORIGIN, design.pin_diameter / 2),)
         for number, place in enumerate(design.disc_places, 1):
             outer = design.nominal_pair.pin_radius
             sleeve = Stretch(outer, place - half, place + half, holes=hole)
-            yield Body(f"sleeve_of_satellite_{number}", (sleeve,), self.pin_centres)
+            yield Body(f"{name}_of_satellite_{number}", (sleeve,), self.pin_centres)
 
     def plate(self, end: int) -> Iterator[Body]:
         """Plate of the carrier with the holes of the pins and of the crankshaft's bearing."""
@@ -181,16 +189,17 @@ class _Maker:
     def shaft(self) -> Iterator[Body]:
         """Crankshaft from end to end of what it carries, with an eccentric in each disc."""
         design = self.design
-        thick, thin, long = shaft_sizes(design)
-        half = long / 2
+        own, first = shaft_sizes(design), design.crankshaft.places["satellite_positions"][0]
+        ends = (
+            design.disc_places[0] + design.shaft_way * (end - first) for end in (own.low, own.high)
+        )
+        low, high = sorted(ends)
+        half = own.long / 2
         places = sorted(zip(design.disc_places, (each.centre for each in self.drawn), strict=True))
-        ends = [end for name, end in design.ends.items() if name.startswith("bearing")]
-        low = min(places[0][0] - half, *(first for first, _ in ends))
-        high = max(places[-1][0] + half, *(last for _, last in ends))
-        eccentrics = [Stretch(thick / 2, z - half, z + half, centre) for z, centre in places]
+        eccentrics = [Stretch(own.thick / 2, z - half, z + half, centre) for z, centre in places]
         edges = [low, *(edge for each in eccentrics for edge in each[1:3]), high]
         between = zip(edges[::2], edges[1::2], strict=True)
-        journals = [Stretch(thin / 2, *both) for both in between if both[1] > both[0]]
+        journals = [Stretch(own.thin / 2, *both) for both in between if both[1] > both[0]]
         yield Body("shaft", (*journals, *eccentrics))
 
     def satellite_bearings(self) -> Iterator[Body]:

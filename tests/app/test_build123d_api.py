@@ -199,12 +199,42 @@ def test_involute_teeth_are_an_opening_of_the_housing():
     assert housing.area > 0
 
 
-def test_what_is_not_known_is_left_out_and_named():
+def test_a_part_of_unknown_size_is_left_out_and_named():
     text = made(REQUESTS["export/build123d"]["design"])
-    assert "Left out, as sizes are not known: shaft (section_missing)" in text
+    assert "Left out:\n    shaft: design.crankshaft is not known\n" in text
     bodies, _ = run(text)
-    assert {"satellite_1", "satellite_2", "housing", "ring_pin", "pin", "carrier"} <= set(bodies)
-    assert "bearing_a" not in bodies
+    assert {*bodies} == {"satellite_1", "satellite_2", "housing", "ring_pin", "pin", "carrier"}
+
+    design = deepcopy(INPUTS["cycloid"])
+    for bearing in design["crankshaft"]["bearings"]:
+        del bearing["width_mm"]
+    design["crankshaft"] |= {
+        "satellite_mass_kg": 1.3,
+        "counterweights": [{"position_mm": 70.0, "unbalance_kg_mm": 0.1}],
+    }
+    text = made(design)
+    for name in ("bearings.0.width_mm", "bearings.1.width_mm", "counterweights"):
+        assert f"design.crankshaft.{name} is not known" in text
+    journal, *_ = run(text)[0]["shaft"][0].stretches
+    # From the place of the bearing, as far before the first disc as on the crankshaft.
+    assert journal[1] == pytest.approx(13.0 - 30.0, abs=1e-8)
+
+
+def test_bearings_and_bolts_on_the_pins_are_there():
+    design = deepcopy(REQUESTS["export/build123d"]["design"])
+    pin = {"support": "cantilever", "diameter_mm": 6.0, "material": "steel_through_hardened"}
+    bearing = {"kind": "ball", "bore_diameter_mm": 6.0, "outer_diameter_mm": 10.0, "width_mm": 3.0}
+    bodies, _ = run(made(design | {"pin": pin, "rollers": bearing}))
+    ((ring, low, high, _),) = bodies["pin_bearing_of_satellite_1"][0].stretches
+    assert [radius for _, radius in ring.circles] == [5.0, 3.0]
+    assert high - low == pytest.approx(12.0)
+    pin |= {"diameter_mm": 10.0, "bolt": {"core_diameter_mm": 4.0}}
+    bodies, pieces = run(made(design | {"pin": pin}))
+    bolts = [each for each in pieces if each.label.startswith("bolt")]
+    core = SolidsRequest(design=design | {"pin": pin}).design.design
+    of_mass = {each.code: each.mass for each in mass(core).parts}["bolts"]
+    assert len(bolts) == 6
+    assert STEEL * sum(each.volume for each in bolts) == pytest.approx(of_mass, rel=EXACT)
 
 
 def test_a_shape_that_is_not_known_is_refused_at_its_field():
