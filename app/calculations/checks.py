@@ -337,13 +337,15 @@ def usual_values(body: Any, verdict: Verdict) -> dict[tuple[str, ...], float | s
     for check, name in ((each, name) for each in decided for name in each.kind.inputs):
         path = body.path_of(name)
         parent = value_in(body, path[:-1])
-        if not path or parent is None or path[-1] in parent.model_fields_set:
+        usual = body.design.usual | {"requirements.static_safety": check.limit}
+        if not path or (parent is None and name not in usual):
+            continue
+        if parent is not None and path[-1] in parent.model_fields_set:
             continue
         if name in IDEAL_ALONE and body.design.as_made:
             continue
         value = getattr(parent, path[-1], None)
         if value is None:
-            usual = body.design.usual | {"requirements.static_safety": check.limit}
             value = from_si(path[-1], usual.get(name))
         if isinstance(value, (float, str)):
             found.setdefault(path, value)

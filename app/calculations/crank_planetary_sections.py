@@ -206,7 +206,7 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
     """
 
     NEEDS: ClassVar[Needs] = ("mechanism/pins",)
-    USES: ClassVar[frozenset[str]] = frozenset(DocumentFields.model_fields) - {"tolerances"}
+    USES: ClassVar[frozenset[str]] = frozenset(DocumentFields.model_fields)
     NEEDED_OF: ClassVar[dict[str, Needs]] = {
         "load": TORQUE,
         "contact": TOUCHING,
@@ -244,16 +244,6 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
         """Needs of a section of the answer; involute teeth need their profile shifts too."""
         teeth = section in ("ring_mesh", "ring_drawing") and self.ring_kind == "involute"
         return INVOLUTE_NEEDS if teeth else NEEDS_OF[section]
-
-    def notices(self) -> tuple[Notice, ...]:
-        """Notices, also of unknown deviations of a ring whose mesh is judged."""
-        found = super().notices()
-        deviations = self.given.get("deviations")
-        listed = deviations and deviations.made.of_ring
-        if self.says("gear/modification") and not listed:
-            stated = self.says("tolerances/ring_pin_position_mm")
-            found += (Notice("ring_pieces" if stated else "ring_deviations_unknown"),)
-        return found
 
     def assumed(self) -> Iterator[tuple[tuple[str, ...], Any]]:
         """Assumed values, the most important first, with yield values of plastics from sources,

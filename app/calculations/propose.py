@@ -1,6 +1,7 @@
 """Whole reducers from a requirement: request and answer."""
 
 import math
+import time
 from collections.abc import Iterator
 from dataclasses import asdict
 from functools import cache
@@ -349,7 +350,13 @@ class _Found:
     """Proposals of a request, as they are found."""
 
     def __init__(self, body: ProposeRequest, report: Report, seconds: float) -> None:
-        self.search = Search(body.demands, results_of=_results, pieces=pieces_of, seconds=seconds)
+        self.search = Search(
+            body.demands,
+            results_of=_results,
+            pieces=pieces_of,
+            seconds=seconds,
+            clock=time.monotonic if report is untold else time.process_time,
+        )
         self.shown: list[Values] = []
         for found in self.search.run(body.wanted):
             self.shown.append(self.proposal(found))

@@ -21,7 +21,7 @@ from core.checks.check import (
     over_range,
 )
 from core.checks.inputs import paths
-from core.checks.teeth import not_toothed, torque_error
+from core.checks.teeth import not_cycloid, not_toothed, torque_error
 from core.design.document import Design, value_at
 from core.design.results import Results
 from core.design.ring import RingBody
@@ -343,6 +343,32 @@ def _ring_pressure(body: RingBody) -> Kind:
     return pressure
 
 
+@Element(*_TEETH, keep="below", not_of=not_cycloid)(
+    "ring_pieces",
+    title="Ring pin that stands out",
+    unit="MPa",
+    formula="p(t_r/2) ≤ p_all·Z_NT/S",
+    why="A ring pin half its zone ahead of the others bears most of the torque alone.",
+    inputs=(of.TEETH_LOADED, of.LIFE, "requirements.pitting_safety tolerances.ring_pin_position"),
+    fixes=(_RING_FIXES, "tolerances.ring_pin_position load.output_torque"),
+    source="ring_mesh",
+    needed=False,
+)
+def ring_pieces(kind: Kind, design: Design, results: Results) -> Check:
+    """Judge the pressure on one ring pin that is thicker by half the zone of the pins' places."""
+    if design.deviations and design.deviations.of_ring:
+        return Check(kind, "not_applicable", reason="pins_placed")
+    pressure = results.ring.pressure_on_high_pin
+    limits = [
+        _limit_of(design.lasting_teeth[body], design.teeth_path(body), value=pressure)
+        for body in IN_RING
+    ]
+    limit = min(limits, key=lambda each: float(each.allowable))
+    allowed = float(limit.allowable) / design.requirements.pitting_safety
+    whence: dict[str, Any] = {**_whence(limit)}
+    return kind.judged(pressure, allowed, warning="pin_stands_out", **whence)
+
+
 def _ring_static(body: RingBody) -> Kind:
     @IN_RING[body].check(
         "static",
@@ -586,4 +612,9 @@ CONTACT = (
     contact_conformity,
     *PLASTICS,
 )
-TEETH = (*map(_ring_pressure, IN_RING), *map(_ring_static, IN_RING), ring_static_cold)
+TEETH = (
+    *map(_ring_pressure, IN_RING),
+    ring_pieces,
+    *map(_ring_static, IN_RING),
+    ring_static_cold,
+)

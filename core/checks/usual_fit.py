@@ -7,9 +7,9 @@ from core.checks.reserve import crank_verdict
 from core.design.document import Design, changed
 from core.design.real_forces import RealForces
 from core.design.results import Results
+from core.design.ring import soft
 from core.errors import InvalidInput, if_known, is_known
 from core.fields import answered
-from core.hertz import ElasticMaterial
 from core.tolerance.iso286 import fit_clearance
 
 USUAL_FIT = "H7/f7"
@@ -21,14 +21,6 @@ ROLLER_FIT = "H7/h6"
 PRINTED, PRINTED_CLEARANCE = "printed", 0.25e-3
 """Radial clearance of printed holes, m: a sliding fit of FDM prints, for which printing guides
 state 0.15 to 0.5 mm."""
-
-SOFT = 20e9
-"""Young's modulus below which a part is taken as printed, Pa."""
-
-
-def soft(material: ElasticMaterial | None) -> bool:
-    """True if a part is taken as printed, by its material."""
-    return material is not None and bool(material.youngs_modulus < SOFT)
 
 
 def usual_clearance(design: Design) -> tuple[str, float]:

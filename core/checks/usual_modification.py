@@ -13,10 +13,10 @@ import numpy as np
 
 from core.checks.check import Verdict
 from core.checks.reserve import crank_verdict
-from core.checks.usual_fit import UsualFit, soft, usual_clearance, usual_fit, with_usual_clearance
+from core.checks.usual_fit import UsualFit, usual_clearance, usual_fit, with_usual_clearance
 from core.design.document import Design, changed
 from core.design.results import Results
-from core.design.ring import RingClass
+from core.design.ring import RingClass, usual_sizes
 from core.errors import UNKNOWN, ImpossibleMechanism
 from core.fields import answer
 from core.output.room import Deviations
@@ -34,15 +34,6 @@ POSITIONS = 720
 
 MEDIAN, OF_90 = 32, 58
 """Ranks, in ascending order, of the values taken as median and 90 %."""
-
-GROUND_LEAST, GROUND_SHARE = 5e-6, 1e-4
-"""Equidistant modification of ground discs: least value, m, and part of the circle's radius."""
-
-MADE: dict[RingClass, tuple[float, float]] = {
-    "machined": (0.03e-3, 0.025e-3),
-    "printed": (0.22e-3, 0.15e-3),
-}
-"""Equidistant modification and zone radius of the pins, m: guide values of a public tool."""
 
 
 class Spread(NamedTuple):
@@ -80,25 +71,6 @@ class UsualModification:
     """Share of the pieces that press without load."""
     results: Results  # results of the piece with the pressure of 90 %
     verdict: Verdict  # verdict with that piece, and with a usual clearance if none is known
-
-
-def ring_class_of(design: Design) -> RingClass:
-    """Manufacturing class of discs and ring: as stated, printed if discs are soft, else ground."""
-    usual: RingClass = "printed" if soft(design.disc_material) else "ground"
-    return design.cycloid.ring_class or usual
-
-
-def usual_sizes(*, ring_class: RingClass, circle_radius: float) -> tuple[float, float]:
-    """Usual equidistant modification and zone radius of each ring pin, m; the circle's radius is in
-    m.
-
-    >>> usual_sizes(ring_class="machined", circle_radius=0.08)
-    (3e-05, 2.5e-05)
-    """
-    if ring_class == "ground":
-        equidistant = max(GROUND_LEAST, GROUND_SHARE * circle_radius)
-        return equidistant, equidistant / 2
-    return MADE[ring_class]
 
 
 def ring_places(*, pins: int, radius: float, samples: int) -> list[tuple[tuple[float, ...], ...]]:
@@ -149,8 +121,9 @@ def usual_modification(design: Design, *, largest: bool = False) -> UsualModific
     known = gear.modification is not None
     if known and placed:
         return None
-    circle, ring_class = gear.ring_pin_circle_radius, ring_class_of(design)
-    equidistant, zone = usual_sizes(ring_class=ring_class, circle_radius=circle)
+    circle, ring_class = gear.ring_pin_circle_radius, design.ring_class
+    equidistant, _ = usual_sizes(ring_class=ring_class, circle_radius=circle)
+    zone = design.ring_zone / 2
     if not known:
         design = changed(design, {"gear.modification": Modification(equidistant=equidistant)})
     try:

@@ -180,23 +180,6 @@ OF_INPUT = {
         "pins press along the crank.",
         mend="Change the eccentricity, or the circle of the ring's pins.",
     ),
-    "ring_deviations_unknown": limit(
-        "Nothing is said of where the ring's pins really stand: a few hundredths of a millimetre "
-        "may make the largest force several times as large.",
-        title="Deviations of the ring's pins not known",
-        tests="Deviations of the pins of the ring are given.",
-        why="Pins that stand off their places carry earlier, or not at all, than the others: the "
-        "forces are those of a ring without errors.",
-        mend="Give the deviations of the pins, measured or drawn by their tolerances.",
-    ),
-    "ring_pieces": limit(
-        "The verdict is that of parts without errors. The tolerance study tells how hard pieces "
-        "with the stated tolerances of the ring's pins press.",
-        title="Ring of perfect parts",
-        tests="Deviations of the pins of the ring are given.",
-        why="Pins within their tolerances may press the discs twice as hard as those in place.",
-        mend="Ask the tolerance study for the pressure on the ring's pins, or narrow their places.",
-    ),
     "ratio_not_whole": limit(
         "The ratio {ratio:.6g} is no whole number: a cycloid disc with one lobe less than the ring "
         "has pins has as many lobes as its ratio says.",

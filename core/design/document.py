@@ -12,7 +12,16 @@ from typing import Annotated, Any, TypeVar, cast
 from core.arrays import check_count
 from core.design.contact import Contact, PairSizes, SharedBy
 from core.design.layout import PLACED, Layout
-from core.design.ring import RINGS, CycloidRing, InvoluteRing, Ring, RingBody
+from core.design.ring import (
+    RINGS,
+    CycloidRing,
+    InvoluteRing,
+    Ring,
+    RingBody,
+    RingClass,
+    soft,
+    usual_sizes,
+)
 from core.design.sections import (
     USUAL_LIFE,
     USUAL_RELIABILITY,
@@ -377,6 +386,19 @@ class Design(Layout):
         )
 
     @property
+    def ring_class(self) -> RingClass:
+        """Manufacture of discs and ring pins: as stated, printed if discs are soft, else ground."""
+        return self.cycloid.ring_class or ("printed" if soft(self.disc_material) else "ground")
+
+    @property
+    def ring_zone(self) -> float:
+        """Diameter of the round zone of each ring pin's centre, m: stated, or that of the class."""
+        stated = self.tolerances.ring_pin_position if self.tolerances else None
+        circle = self.cycloid.ring_pin_circle_radius
+        usual = 2 * usual_sizes(ring_class=self.ring_class, circle_radius=circle)[1]
+        return usual if stated is None else stated
+
+    @property
     def cycloid(self) -> CycloidRing:
         """Ring with pins; another ring raises `NotKnown`."""
         ring = self.gear
@@ -664,6 +686,8 @@ class Design(Layout):
         if self.gear and self.gear.kind == "involute":
             rack = self.gear.rack
             return found | {"gear.rack_tip_radius": rack.tip_radius, "gear.dedendum": rack.dedendum}
+        if self.gear and self.gear.kind == "cycloid":
+            found["tolerances.ring_pin_position"] = self.ring_zone
         return found
 
     @property

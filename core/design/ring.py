@@ -32,6 +32,37 @@ and B."""
 LARGEST_RING = 1e5
 """Largest size of a ring, mm, a hundred metres, as the turn of a larger one takes long."""
 
+SOFT = 20e9
+"""Young's modulus below which a part is taken as printed, Pa."""
+
+GROUND_LEAST, GROUND_SHARE = 5e-6, 1e-4
+"""Equidistant modification of ground discs: least value, m, and part of the circle's radius."""
+
+MADE: dict[RingClass, tuple[float, float]] = {
+    "machined": (0.03e-3, 0.025e-3),
+    "printed": (0.22e-3, 0.15e-3),
+}
+"""Equidistant modification and zone radius of the pins, m: guide values of a public tool."""
+
+
+def soft(material: ElasticMaterial | None) -> bool:
+    """True if a part is taken as printed, by its material."""
+    return material is not None and bool(material.youngs_modulus < SOFT)
+
+
+def usual_sizes(*, ring_class: RingClass, circle_radius: float) -> tuple[float, float]:
+    """Usual equidistant modification and zone radius of each ring pin, m; the circle's radius is in
+    m.
+
+    >>> usual_sizes(ring_class="machined", circle_radius=0.08)
+    (3e-05, 2.5e-05)
+    """
+    if ring_class == "ground":
+        equidistant = max(GROUND_LEAST, GROUND_SHARE * circle_radius)
+        return equidistant, equidistant / 2
+    return MADE[ring_class]
+
+
 addendum = partial(quantity, default=None, step=0.05, ge=HEIGHTS[0], le=HEIGHTS[1])
 tool_height = partial(quantity, silent=True, step=0.05, advanced=True)
 """Heights of teeth, and of the tools that cut them, in modules."""

@@ -5,6 +5,8 @@ from dataclasses import replace
 from functools import cache, cached_property
 from typing import Any, TypeVar
 
+import numpy as np
+
 from core.crank.ring_mesh import RingMesh
 from core.design.output_forces import OutputForces
 from core.design.pin_fatigue import fatigue_of
@@ -29,6 +31,9 @@ from core.ring.series_turn import SeriesOverTurn
 from core.ring.sharing import NORMALS, CycloidMesh, MeshTurn, mesh_over_turn
 
 Calculated = TypeVar("Calculated")
+
+PLACES_A_PIN = 12
+"""Number of crank angles for each ring pin at which one that stands out is tried."""
 
 MOST_RING_PAIRS = 300
 """Largest number of pairs of disc and ring pin that is solved over the turn."""
@@ -204,6 +209,21 @@ class RingResults:
         """Ring mesh of the most loaded satellite under the dynamic load, in the worse direction."""
         factor = self.design.load_factor * self.design.ring_factor
         return self.turns(self.design.pin_torque * factor)[0]
+
+    @derived
+    def pressure_on_high_pin(self) -> float:
+        """Largest pressure over the turn, Pa, under the dynamic load, on one ring pin whose surface
+        is ahead of the others by half the zone of the pins' places.
+        """
+        pins, turn = self.design.ring_pins, self.loading.turn
+        high = (self.design.ring_zone / 2, *[0.0] * (pins - 1))
+        made = replace(self.mesh.deviations, pin_radius=high)
+        real = mesh = replace(self.mesh, deviations=made)
+        if self.output.in_series:
+            real = replace(turn.real, ring=mesh)
+        places = np.linspace(0.0, 2 * np.pi, PLACES_A_PIN * pins, endpoint=False).tolist()
+        rows = type(turn)(real, turn.torque).poses(places, play=False)
+        return mesh.pressure(float(rows["mesh_pressure"].max()))
 
     @derived
     def static(self) -> MeshTurn:

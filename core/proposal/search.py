@@ -154,6 +154,10 @@ OF_RING = ("ring_pressure_disc", "ring_pressure_pin", "ring_static_cold")
 """Checks of the pressure between discs and ring pins."""
 
 
+OF_PIECES = "ring_pieces"
+"""Check of a ring pin within its tolerance, which the pieces of a design judge better."""
+
+
 class Pieces(NamedTuple):
     """Pieces of a design with the tolerances of its document."""
 
@@ -226,11 +230,8 @@ class Judged:
         """True if all checks pass, but for those of plastics that no source can close; parts are
         without errors.
         """
-        return self.verdict.verdict == "pass" or (
-            self.verdict.verdict == "incomplete"
-            and self.plastic
-            and not any(each.status == "marginal" for each in self.verdict.parts)
-        )
+        of_parts = (each for each in self.verdict.checks if each.code != OF_PIECES)
+        return self.holds and not any(each.status == "marginal" for each in of_parts)
 
     @property
     def holds(self) -> bool:
@@ -305,7 +306,9 @@ class Search:
     pieces : callable
         Pieces of a document with the tolerances in it.
     seconds : float
-        Processor time, s; no design is begun that is expected to end more than half after it.
+        Time, s, by the clock; no design is begun that is expected to end more than half after it.
+    clock : callable
+        Processor time, or what passes of a request that waits, s.
     """
 
     def __init__(
@@ -315,8 +318,10 @@ class Search:
         results_of: Callable[[Document], Results],
         pieces: Callable[[Document], Pieces],
         seconds: float,
+        clock: Callable[[], float] = time.process_time,
     ) -> None:
-        self._began, self.seconds = time.process_time(), seconds
+        self._now, self.seconds = clock, seconds
+        self._began = clock()
         self.results_of, self.pieces = results_of, pieces
         self.judged: list[Judged] = []
         self.shares: dict[str, float] = {}  # judged over estimated reserve of checks not passed
@@ -337,8 +342,8 @@ class Search:
 
     @property
     def spent(self) -> float:
-        """Processor time since the beginning, s."""
-        return time.process_time() - self._began
+        """Time since the beginning, s."""
+        return self._now() - self._began
 
     @property
     def tally(self) -> list[Tally]:

@@ -20,9 +20,6 @@ let former = {}; // what was found before the page was built anew
 
 const digitsOf = (unit) => (unit === "mm" ? 4 : 3);
 
-/** The word on it: pieces whose ring pins press too hard make it marginal. */
-const wordOf = ({ verdict, columns }) => (verdict === "pass" && columns.ring_utilisation > 1 ? "marginal" : verdict);
-
 /** What tells designs apart: of plastic the torque at which it yields stands for the largest one. */
 function cellsOf({ columns }) {
   const torque = "yield_torque_Nm" in columns ? "yield_torque_Nm" : "largest_torque_Nm";
@@ -32,7 +29,7 @@ function cellsOf({ columns }) {
 }
 
 function proposalMarkup(one, { nameOf, pictureOf }) {
-  const [word, name] = [wordOf(one), nameOf(one.design)];
+  const [word, name] = [one.verdict, nameOf(one.design)];
   return html`${pictureOf(one.design)}<div><h3>${name}</h3>
       <p class="word ${levelOfWord(word)}">${sign(levelOfWord(word))}${wordText({ verdict: word, parts: [] })}</p>
       <button type="button" class="primary" aria-label="${message("compare.openWhat", { name })}">${message("compare.open")}</button></div>

@@ -60,15 +60,16 @@ async def test_each_proposal_holds_when_it_is_posted(api: Any, asked: dict[str, 
         design, columns = proposal["design"], proposal["columns"]
         posted = {"include": ["checks", "largest_torque", "envelope", "load_sharing"]} | design
         again = await api.answer("crank-planetary", posted)
-        assert (again["verdict"], again["governing"]) == ("pass", proposal["governing"])
+        assert again["verdict"] == proposal["verdict"]
+        assert again["governing"] == proposal["governing"]
+        doubted = {each["code"] for each in again["checks"] if each["status"] == "marginal"}
+        assert doubted <= {"ring_pieces"}
         assert again["largest_torque_Nm"] == pytest.approx(columns["largest_torque_Nm"], rel=EXACT)
         assert columns["largest_torque_Nm"] > asked["torque_Nm"]
         assert again["envelope"]["outer_diameter_mm"] <= asked["outer_diameter_mm"]
         assert again["envelope"]["length_mm"] == columns["length_mm"] <= asked["length_mm"]
         checks = {each["code"]: each["status"] for each in again["checks"]}
         assert {checks[code] for code in ("bearing_fits", "crank_bearing_fits")} == {"pass"}
-        warned = [each["code"] for each in again.get("warnings", ())]
-        assert {"ring_deviations_unknown", "ring_pieces"} & {*warned} == {"ring_pieces"}
         named = [design["bearing"]["name"], *(b["name"] for b in design["crankshaft"]["bearings"])]
         assert {*named} <= {*BEARINGS}
         weighed = await api.answer("crank-planetary", design | {"include": ["mass"]})

@@ -553,14 +553,15 @@ async def test_what_is_stated_or_not_known_leaves_them_apart(api, sections, solv
 
 async def test_what_is_not_known_of_the_teeth_is_said(api):
     alone = {"scope": ["teeth"]}
-    for sections, code, reason in (
-        ({"gear": {"modification": None}}, None, "modification_unknown"),
-        ({}, "ring_deviations_unknown", None),
-        ({"deviations": {"ring_pin_radius_mm": [0.0] * 20}}, None, None),
+    for sections, assumes, reason in (
+        ({"gear": {"modification": None}}, False, "modification_unknown"),
+        ({}, True, None),
+        ({"tolerances": {"ring_pin_position_mm": 0.004}}, False, None),
+        ({"deviations": {"ring_pin_radius_mm": [0.0] * 20}}, False, None),
     ):
         answer = (await api.post(PATH, json=changed(DESIGN, requirements=alone, **sections))).json()
-        warned = {each["code"] for each in answer.get("warnings", ())}
-        assert ("ring_deviations_unknown" in warned) == (code is not None)
+        assumed = {each["pointer"] for each in answer["assumed"]}
+        assert ("/tolerances/ring_pin_position_mm" in assumed) == assumes
         (teeth,) = (each for each in answer["parts"] if each["code"] == "teeth")
         assert teeth.get("reason") == reason
         assert (teeth["status"] == "open") == (reason is not None)
@@ -577,10 +578,12 @@ async def test_teeth_are_cured_by_what_they_are_judged_by(api):
     answer = (await api.post(PATH, json=body)).json()
     body["gear"] = {**body["gear"], "contact_length_mm": 12.0}
     fix = next(each for each in answer["fixes"] if each["pointer"] == "/gear/contact_length_mm")
-    assert (answer["verdict"], fix["verdict"]) == ("fail", "pass")
+    assert (answer["verdict"], fix["verdict"]) == ("fail", "marginal")
     body["gear"]["contact_length_mm"] = fix["to"]
     cured = (await api.post(PATH, json=body)).json()
-    assert cured["verdict"] == "pass" and cured["governing"] == "ring_pressure_disc"
+    assert (cured["verdict"], cured["governing"]) == ("marginal", "ring_pieces")
+    checks = {each["code"]: each["status"] for each in cured["checks"]}
+    assert checks["ring_pressure_disc"] == "pass"
 
 
 async def test_a_usual_ring_is_answered_where_it_is_asked(api):

@@ -19,13 +19,14 @@ from core.design.results import Results
 from core.design.ring import CycloidRing, OtherRing
 from core.design.ring_results import MOST_RING_PAIRS
 from core.design.sections import FatigueBasis, Friction
+from core.design.tolerances import ToleranceSection
 from core.errors import InvalidInput
 from core.hertz import ContactLimit, ElasticMaterial
 from core.output.elasticity import RingInSeries, Shares
 from core.output.room import Deviations
 from core.precision import EXACT, SAME, SEARCHED
 from core.ring.profile import Modification
-from core.ring.sharing import NORMALS, mesh_position
+from core.ring.sharing import NORMALS, RingDeviations, mesh_position
 from tests.inputs.checks import check_of, design_of, having
 
 ARCMIN = math.radians(1) / 60
@@ -129,6 +130,29 @@ def test_the_pressure_is_the_largest_of_all_positions(factor: float) -> None:
     assert check.value == pytest.approx(max(own), rel=EXACT)
     other = check_of("ring_pressure_disc", design)
     assert other.value == check.value and other.at == check.at
+
+
+@pytest.mark.parametrize("zone", [0.0, 1e-5, 4e-5])
+def test_a_ring_pin_stands_out_by_half_its_zone(zone: float) -> None:
+    """The pin is moved along its normal, which passes through the pitch point; deviations count as
+    the output turns, against the crank.
+    """
+    design = having(A7, tolerances=ToleranceSection(ring_pin_position=zone))
+    check, mesh = check_of("ring_pieces", design), Results(design).ring.mesh
+    pitch_point = mesh.eccentricity * mesh.disc.pins
+    pressures = []
+    for angle in np.linspace(0, 2 * math.pi, 12 * mesh.disc.pins, endpoint=False):
+        way = pitch_point * np.exp(-1j * angle) - mesh.disc.ring_pin_circle_radius
+        off, still = way / abs(way) * zone / 2, [0.0] * (mesh.disc.pins - 1)
+        made = RingDeviations(pin_radial=(off.real, *still), pin_tangential=(off.imag, *still))
+        moved = replace(mesh, deviations=made)
+        found = mesh_position(mesh=moved, crank_angle=float(angle), output_torque=400.0)
+        pressures.append(found.max_pressure or 0.0)
+    assert check.value == pytest.approx(max(pressures), rel=2e-3)
+    assert check.status == ("marginal" if zone else "pass")
+    assert check.reason == ("pin_stands_out" if zone else "")
+    placed = Deviations(ring_pin_radial=(0.0,) * mesh.disc.pins)
+    assert check_of("ring_pieces", having(design, deviations=placed)).status == "not_applicable"
 
 
 def test_limits_are_those_of_each_body_over_its_own_loads() -> None:

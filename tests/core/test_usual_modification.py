@@ -12,15 +12,13 @@ import pytest
 from core.checks.usual_fit import usual_clearance
 from core.checks.usual_modification import (
     UsualModification,
-    ring_class_of,
     ring_places,
     usual_clearance_too,
     usual_modification,
-    usual_sizes,
 )
 from core.design.document import Design
 from core.design.results import Results
-from core.design.ring import CycloidRing, OtherRing
+from core.design.ring import CycloidRing, OtherRing, usual_sizes
 from core.hertz import ContactLimit, ElasticMaterial
 from core.output.room import Deviations
 from core.precision import SAME
@@ -136,8 +134,8 @@ def test_how_rings_are_made() -> None:
     assert usual_sizes(ring_class="machined", circle_radius=0.1) == (3e-5, 2.5e-5)
     assert usual_sizes(ring_class="printed", circle_radius=0.1) == (2.2e-4, 1.5e-4)
     soft = ringed(disc_material=ElasticMaterial(19e9, 0.35))
-    assert (ring_class_of(FEW), ring_class_of(soft)) == ("ground", "printed")
-    assert ring_class_of(ringed(soft, ring_class="machined")) == "machined"
+    assert (FEW.ring_class, soft.ring_class) == ("ground", "printed")
+    assert ringed(soft, ring_class="machined").ring_class == "machined"
 
 
 def test_what_is_known_stays() -> None:

@@ -276,7 +276,7 @@ export default {
   /** What is usual of what is not known: the clearance, or that none is stated; modification and pins of a ring of pins. */
   usual: ({ parts = [], warnings = [] }) => {
     const said = (...codes) => parts.some(({ reason }) => codes.includes(reason)) || warnings.some(({ code }) => codes.includes(code));
-    return [said("clearance_unknown", "perfect_parts") && "usual_fit", said("modification_unknown", "ring_deviations_unknown", "ring_pieces") && "usual_modification"].filter(Boolean);
+    return [said("clearance_unknown", "perfect_parts") && "usual_fit", said("modification_unknown") && "usual_modification"].filter(Boolean);
   },
 
   /** Which way results are better. */
