@@ -203,6 +203,12 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     calculator,
     on: { turned: (angle) => store.apply(next.turned, angle), returned: () => store.apply(next.returned), selected: select },
   });
+  /** What files say of the design at hand. */
+  const titleBlock = () => ({
+    ...Object.fromEntries(["title", "author", "revision"].map((label) => [label, store.state.typed.texts[label] ?? ""])),
+    date: new Date().toISOString().slice(0, 10),
+    link: location.href,
+  });
   const keep = () => {
     if (!store.state.shown) return;
     if (designs.of(calculator.id).length >= MOST) {
@@ -358,7 +364,9 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       calculator: calculator.id,
       ...store.state.shown,
       answer: next.answerNow(store.state),
-      files: (calculator.files?.(store.state.shown) ?? []).map(({ id, path, body }) => ({ id, make: () => client.file(path, body) })),
+      files: (calculator.files?.(store.state.shown, store.state.turn.angle ?? 0) ?? []).map(({ id, path, titled, body }) => ({
+        id, make: () => client.file(path, titled ? { ...body, title_block: titleBlock() } : body),
+      })),
       refused: (problem) => problemText(problem, titles),
     },
     /** Stop; what was typed last is told even where it has not been asked about yet. */

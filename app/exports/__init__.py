@@ -3,6 +3,7 @@
 Modules
 -------
 drawn       what the requests of files have in common
-dxf         satellites and ring as drawings for cutting
+sheets      what stands on the drawing of each part
+dxf         drawings of all parts as files
 build123d   all parts as solids, by a script
 """

@@ -2,9 +2,10 @@
 
 from collections.abc import Iterable
 
-from app.exports.drawn import MADE_BY, DrawnRequest, refuse_many_pins
+from app.exports.drawn import DIAMETERS, MADE_BY, DrawnRequest, refuse_many_pins
 from app.model import Export, File
 from app.units import from_si
+from core.design.diameters import Sizes
 from core.design.solids import Body, Lobes, Solids, Stretch, solids
 from core.errors import NotKnown
 
@@ -16,7 +17,9 @@ CHORD_ERROR = 5e-6
 DIGITS = 9
 """Decimals of millimetres."""
 
-SCRIPT = '''"""Solids of a reducer, by {made_by}; sizes in mm are nominal.
+SCRIPT = '''"""Solids of a reducer, by {made_by}; lengths in mm.
+
+Diameters are {sizes}.
 
     pip install build123d
     python reducer.py          # writes reducer.step
@@ -89,25 +92,23 @@ def write(body: SolidsRequest) -> File:
     """Script of Python that builds discs, ring, pins, sleeves, carrier, crankshaft and bearings of
     a design with build123d, and writes them as a STEP file.
 
-    Sizes are nominal, in millimetres, at crank angle 0. Shapes that the design does not state are
-    plain: plates of the carrier, the ring of the housing, cylinders of the crankshaft, rings in the
-    place of bearings. A part whose sizes are not known is left out and named in the script.
+    Lengths are in millimetres, at crank angle 0, diameters as `sizes` says. Shapes that the design
+    does not state are plain: plates of the carrier, the ring of the housing, cylinders of the
+    crankshaft, rings in the place of bearings. A part whose sizes are not known is left out and
+    named in the script.
     """
     try:
-        found = solids(body.design.design, chord_error=CHORD_ERROR)
+        found = solids(body.design.design, chord_error=CHORD_ERROR, sizes=body.sizes)
     except NotKnown as error:
         body.refuse_unknown(error)
     for each in found.bodies:
         if each.name == "ring_pin":
             refuse_many_pins(len(each.places))
-    lacking = {
-        name: ".".join(map(str, body.path_of(path))) if path else "its shape"
-        for name, path in found.left_out.items()
-    }
-    return File("reducer.py", PYTHON, script(found, lacking).encode())
+    text = script(found, body.lacking(found.left_out), body.sizes)
+    return File("reducer.py", PYTHON, text.encode())
 
 
-def script(found: Solids, lacking: dict[str, str]) -> str:
+def script(found: Solids, lacking: dict[str, str], sizes: Sizes) -> str:
     """Text of the script; `lacking` says for each part that is left out what is not known."""
     stretches = [each for body in found.bodies for each in body.stretches]
     faces = [face for each in stretches for face in (each.outline, each.opening)]
@@ -119,6 +120,7 @@ def script(found: Solids, lacking: dict[str, str]) -> str:
     left = "".join(f"\n    {name}: {what} is not known" for name, what in lacking.items())
     return SCRIPT.format(
         made_by=MADE_BY,
+        sizes=DIAMETERS[sizes],
         outlines=f"{kind} whose polygon is within {error:.2g} mm of the outline.",
         left_out=f"Left out:{left}" if left else "No part is left out.",
         shapes="\n".join(

@@ -21,6 +21,7 @@ losses              results about friction and wear of the output pins
 crank_results       results about bearings and crankshaft
 results             results of a design, one property each
 curves              results over crank angles
+diameters           diameters of pins and holes with their limits
 drawings            satellites, ring pins and ring as they are drawn
 mass                mass of each part, and inertia at the input
 solids              parts as solids, by outlines and stretches of the axis

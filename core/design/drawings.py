@@ -1,6 +1,6 @@
 """Parts of a design as they are drawn: satellites, ring pins or ring teeth.
 
-All parts are drawn with nominal sizes at crank angle 0, with X to the right and Y up through the
+All parts are drawn without deviations at crank angle 0, with X to the right and Y up through the
 first output pin, as in `core.output.mechanism`. The crank of satellite j points to ``phi_0 +
 alpha_j``, clockwise from Y. The first ring pin lies at phi_0, where a crank of angle 0 points. A
 disc of z lobes has rolled anticlockwise by ``alpha_j/z``:
@@ -23,6 +23,7 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from core.arrays import ComplexArray, FloatArray
+from core.design.diameters import Sizes, diameter_of
 from core.design.document import Design
 from core.design.refusals import named
 from core.design.results import Results
@@ -252,7 +253,9 @@ def drawn_pair(*, design: Design) -> InvolutePair:
         raise
 
 
-def _holes(*, design: Design, eccentricity: float, roots: float, bore: float) -> DrawnHoles | None:
+def _holes(
+    *, design: Design, eccentricity: float, roots: float, bore: float, sizes: Sizes
+) -> DrawnHoles | None:
     """Holes of a satellite, if pins or holes are given.
 
     Raises InvalidInput for holes that break into the tooth roots, each other or the bore, radii in
@@ -278,19 +281,24 @@ def _holes(*, design: Design, eccentricity: float, roots: float, bore: float) ->
         hole_radius=radius,
         eccentricity=eccentricity,
     )
-    return DrawnHoles(circle, geometry.pin_centres, radius)
+    diameter = diameter_of(design, part="hole").drawn(sizes)
+    return DrawnHoles(circle, geometry.pin_centres, diameter / 2)
 
 
 def drawn_satellites(
-    *, design: Design, numbers: tuple[int, ...], chord_error: float
+    *,
+    design: Design,
+    numbers: tuple[int, ...],
+    chord_error: float,
+    sizes: Sizes = "nominal",
 ) -> tuple[DrawnSatellite, ...]:
     """Satellites of a design as they are drawn, without holes if no pins are given.
 
     Satellites are numbered from 1; the chord error is the largest distance of an outline from the
-    polygon of its points, m. `NotKnown` is raised if a size is not known; `InvalidInput` if the
-    disc cannot exist, is undercut, its holes break out of it, or all outlines need more than
-    `core.ring.profile.MOST_POINTS` points; `ImpossibleMechanism` as by
-    `core.ring.tooth_outline.satellite_outline`.
+    polygon of its points, m; holes have nominal diameters or the middle of their limits. `NotKnown`
+    is raised if a size is not known; `InvalidInput` if the disc cannot exist, is undercut, its
+    holes break out of it, or all outlines need more than `core.ring.profile.MOST_POINTS` points;
+    `ImpossibleMechanism` as by `core.ring.tooth_outline.satellite_outline`.
     """
     involute = design.gear.kind == "involute"
     most = MOST_POINTS // len(numbers)
@@ -316,7 +324,9 @@ def drawn_satellites(
         points, error = own.points @ np.array([1, 1j]), own.chord_error
     bore = if_known(lambda: design.bore_radius)
     roots = float(np.abs(points).min())
-    holes = _holes(design=design, eccentricity=eccentricity, roots=roots, bore=bore or 0.0)
+    holes = _holes(
+        design=design, eccentricity=eccentricity, roots=roots, bore=bore or 0.0, sizes=sizes
+    )
     found, start = [], design.mechanism.initial_crank_angle
     for number in numbers:
         crank = design.crank_angles[number - 1]
@@ -336,8 +346,8 @@ def drawn_satellites(
     return tuple(found)
 
 
-def drawn_ring_pins(*, design: Design) -> DrawnRingPins:
-    """Ring pins of a design as they are drawn.
+def drawn_ring_pins(*, design: Design, sizes: Sizes = "nominal") -> DrawnRingPins:
+    """Ring pins of a design as they are drawn, of nominal diameter or the middle of its limits.
 
     Raises NotKnown if a size is not known, InvalidInput if no disc rolls on them.
     """
@@ -347,7 +357,7 @@ def drawn_ring_pins(*, design: Design) -> DrawnRingPins:
     return DrawnRingPins(
         circle_radius=disc.ring_pin_circle_radius,
         centres=_plane(1j * disc.ring_pin_circle_radius * np.exp(1j * around)),
-        radius=disc.ring_pin_radius,
+        radius=diameter_of(design, part="ring_pin").drawn(sizes) / 2,
     )
 
 

@@ -1,19 +1,23 @@
 """Parts of a design as solids: outlines with round holes, each along a stretch of the axis.
 
-Sizes are nominal, at crank angle 0, with X and Y as in `core.design.drawings` and z as in
-`core.design.layout`. Shapes that a design does not state are those whose mass `core.design.mass`
+X and Y are those of `core.design.drawings`, z that of `core.design.layout`. At a crank angle phi
+the cranks have turned clockwise by it, and discs, pins and carrier anticlockwise by ``phi/u``; the
+ring is at rest. Shapes that a design does not state are those whose mass `core.design.mass`
 estimates: plain plates, rings and cylinders.
 """
 
+import math
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from core.arrays import FloatArray
+from core.design.diameters import Sizes, diameter_of
 from core.design.document import Design
-from core.design.drawings import drawn_ring, drawn_ring_pins, drawn_satellites
+from core.design.drawings import DrawnSatellite, drawn_ring, drawn_ring_pins, drawn_satellites
 from core.design.layout import BuildPart
 from core.design.mass import far_end, plate_holes, shaft_sizes
 from core.errors import UNKNOWN, NotKnown, required
@@ -58,13 +62,16 @@ class Solids(NamedTuple):
     left_out: dict[str, str]  # path of an input that a part lacks, or "", by the part's name
 
 
-def solids(design: Design, *, chord_error: float) -> Solids:
+def solids(
+    design: Design, *, chord_error: float, crank_angle: float = 0.0, sizes: Sizes = "nominal"
+) -> Solids:
     """Solids of all parts of a design whose sizes are known.
 
     Raises what `drawn_satellites` and `drawn_ring` or `drawn_ring_pins` raise. Other parts whose
-    sizes are not known are left out. The chord error is that of an outline's polygon, m, > 0.
+    sizes are not known are left out. The chord error is that of an outline's polygon, m, > 0; the
+    crank angle is in rad; pins and holes have nominal diameters or the middle of their limits.
     """
-    made = _Maker(design, chord_error)
+    made = _Maker(design, chord_error, crank_angle, sizes)
     bodies, left_out = [*made.discs, *made.ring], {}
     for name, of_part in made.others.items():
         try:
@@ -78,11 +85,21 @@ def solids(design: Design, *, chord_error: float) -> Solids:
 class _Maker:
     """Solids of one design, part by part."""
 
-    def __init__(self, design: Design, chord_error: float) -> None:
+    def __init__(
+        self, design: Design, chord_error: float, crank_angle: float, sizes: Sizes
+    ) -> None:
         numbers = tuple(range(1, design.mechanism.satellites + 1))
-        self.design, self.chord_error = design, chord_error
-        self.drawn = drawn_satellites(design=design, numbers=numbers, chord_error=chord_error)
+        self.design, self.chord_error, self.sizes = design, chord_error, sizes
+        drawn = drawn_satellites(
+            design=design, numbers=numbers, chord_error=chord_error, sizes=sizes
+        )
+        self.drawn = tuple(_turned(each, crank_angle, design.mechanism.ratio) for each in drawn)
         self.error = max(each.chord_error for each in self.drawn)
+
+    @property
+    def touching(self) -> float:
+        """Radius of what touches the holes, m."""
+        return diameter_of(self.design, part="pin").drawn(self.sizes) / 2
 
     @property
     def others(self) -> dict[str, Callable[[], Iterator[Body]]]:
@@ -138,11 +155,12 @@ class _Maker:
             teeth = Lobes(lobe, drawn.teeth, False)
             yield Body("housing", (Stretch(outer, *ends, opening=teeth),))
             return
-        pins = drawn_ring_pins(design=design)
+        pins = drawn_ring_pins(design=design, sizes=self.sizes)
         seated = design.cycloid.pin_support == "seat"
         holes = [(*ORIGIN, pins.circle_radius if seated else design.ring_reach)]
         if seated:
-            holes += [(x, y, pins.radius) for x, y in pins.centres]
+            seat = design.cycloid.known_pin_radius
+            holes += [(x, y, seat) for x, y in pins.centres]
         yield Body("housing", (Stretch(outer, *ends, holes=tuple(holes)),))
         yield Body("ring_pin", (Stretch(pins.radius, *ends),), _points(pins.centres))
 
@@ -152,7 +170,9 @@ class _Maker:
         low = 0.0 if design.bolted else -design.carrier_width
         bore = design.pin.bore_diameter if design.pin else 0.0
         holes = ((*ORIGIN, bore / 2),) if bore else ()
-        pin = Stretch(design.pin_diameter / 2, low, far_end(design), holes=holes)
+        bare = not (design.sleeved or design.rollers)
+        radius = self.touching if bare else design.pin_diameter / 2
+        pin = Stretch(radius, low, far_end(design), holes=holes)
         yield Body("pin", (pin,), self.pin_centres)
 
     def bolts(self) -> Iterator[Body]:
@@ -171,8 +191,7 @@ class _Maker:
         design, half = self.design, self.design.pin_length / 2
         hole = ((*ORIGIN, design.pin_diameter / 2),)
         for number, place in enumerate(design.disc_places, 1):
-            outer = design.nominal_pair.pin_radius
-            sleeve = Stretch(outer, place - half, place + half, holes=hole)
+            sleeve = Stretch(self.touching, place - half, place + half, holes=hole)
             yield Body(f"{name}_of_satellite_{number}", (sleeve,), self.pin_centres)
 
     def plate(self, end: int) -> Iterator[Body]:
@@ -224,6 +243,22 @@ class _Maker:
         )
         ends = place - width / 2, place + width / 2
         return Stretch(outer / 2, *ends, holes=((*ORIGIN, bore / 2),))
+
+
+def _turned(drawn: DrawnSatellite, crank_angle: float, ratio: float) -> DrawnSatellite:
+    """Satellite at a crank angle, rad."""
+    of_disc, of_crank = (
+        np.array([[math.cos(by), math.sin(by)], [-math.sin(by), math.cos(by)]])
+        for by in (crank_angle / ratio, -crank_angle)
+    )
+    x, y = (np.array(drawn.centre) @ of_crank).tolist()
+    return replace(
+        drawn,
+        centre=(x, y),
+        turn=drawn.turn + crank_angle / ratio,
+        outline=drawn.outline @ of_disc,
+        holes=drawn.holes and replace(drawn.holes, centres=drawn.holes.centres @ of_disc),
+    )
 
 
 def _points(centres: FloatArray) -> tuple[Point, ...]:

@@ -125,8 +125,8 @@ def run(text):
             sys.modules["build123d"] = before
 
 
-def made(design):
-    file = write(SolidsRequest(design=design))
+def made(design, sizes="nominal"):
+    file = write(SolidsRequest(design=design, sizes=sizes))
     assert (file.name, file.media_type) == ("reducer.py", "text/x-python")
     return file.content.decode()
 
@@ -162,10 +162,19 @@ def test_volumes_are_those_of_the_masses():
     assert len(seats) == len(bodies["ring_pin"][1]) == 21
 
 
-@pytest.mark.parametrize("design", [UNEVEN, INPUTS["cycloid"]], ids=["uneven", "cycloid"])
-def test_parts_touch_as_in_the_design(design):
-    """Output pins are off their holes by the clearance, ring pins off the discs by their gaps."""
-    bodies, _ = run(made(design))
+@pytest.mark.parametrize(
+    ("design", "sizes", "share"),
+    [(UNEVEN, "mean", 1.0), (UNEVEN, "nominal", 0.0), (INPUTS["cycloid"], "nominal", 1.0)],
+    ids=["middle-of-a-fit", "nominal-of-a-fit", "clearance"],
+)
+def test_parts_touch_as_in_the_design(design, sizes, share):
+    """Output pins are off their holes by the clearance, ring pins off the discs by their gaps. A
+    fit has its clearance in the middle of its limits, and none in its nominal sizes.
+    """
+    text = made(design, sizes)
+    said = {"nominal": "nominal", "mean": "the middle of their limits"}
+    assert f"Diameters are {said[sizes]}." in text
+    bodies, _ = run(text)
     core = CrankPlanetaryRequest(**design).design
     mesh = core.gear.cycloid_mesh(
         disc=drawn_disc(design=core),
@@ -185,7 +194,7 @@ def test_parts_touch_as_in_the_design(design):
             at = complex(x, y) - centre
             hole, radius = min(face.circles, key=lambda each: abs(each[0] - at))
             room = radius - abs(at - hole) - shank.circles[0][1]
-            assert room == pytest.approx(1e3 * core.known_clearance, abs=1e-6)
+            assert room == pytest.approx(share * 1e3 * core.known_clearance, abs=1e-6)
         found = distance(centres - centre, face.points) - tool.circles[0][1]
         assert found == pytest.approx(gap, abs=0.005)
 

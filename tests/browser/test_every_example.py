@@ -30,8 +30,7 @@ CALCULATIONS = {
     "rollers": "roller-strength",
     "precession": "precession/shaft-deflection",
 }
-WITH_OUTLINES = {"cycloid", "involute"}  # teeth that the service draws
-DISCS_AND_RING = 3
+PARTS = {"cycloid": 8, "involute": 8}  # two discs, ring, two plates, housing, shaft, assembly
 PAPER_PX = 688  # A4 less the margins
 MOST_PAGES = 4
 
@@ -143,10 +142,10 @@ def the_numbers_are_taken_along(page: Page, name: str, given: dict[str, Any]) ->
     assert judged == codes and codes, name
 
     drawings = page.locator("[data-do=dxf]")
-    assert drawings.count() == (name in WITH_OUTLINES), name
+    assert drawings.count() == (name in PARTS), name
     if drawings.count():
         with zipfile.ZipFile(saved(page, drawings)) as pieces:
-            assert len(pieces.namelist()) == DISCS_AND_RING, name
+            assert len(pieces.namelist()) == PARTS[name], name
             for piece in pieces.namelist():
                 drawing = ezdxf.read(io.StringIO(pieces.read(piece).decode()))
                 assert len(drawing.modelspace()) > 0, (name, piece)

@@ -565,7 +565,8 @@ def test_discs_are_taken_along_as_drawings_once_their_modification_is_known(
     }
     design = {name: text for name, text in DESIGN.items() if name != "mechanism.ratio"}
     show(page, service, "crank-planetary", **design | ring)
-    take, drawings = (page.get_by_role("button", name=name) for name in ("Export", "Drawings, DXF"))
+    names = ("Export", "Drawings of all parts, DXF")
+    take, drawings = (page.get_by_role("button", name=name) for name in names)
     take.click()
     expect(page.get_by_role("button", name="All results, CSV")).to_be_visible()
     expect(drawings).to_have_count(0)
@@ -577,7 +578,8 @@ def test_discs_are_taken_along_as_drawings_once_their_modification_is_known(
     with page.expect_download() as download:
         drawings.press("Enter")
     with zipfile.ZipFile(download.value.path()) as bundle:
-        assert bundle.namelist() == ["satellite_1.dxf", "satellite_2.dxf", "ring_pins.dxf"]
+        drawn = ("satellite_1", "satellite_2", "ring_pins", "carrier", "housing", "assembly")
+        assert bundle.namelist() == [*(f"{name}.dxf" for name in drawn), "left_out.txt"]
         assert b"Equidistant modification +0.02 mm" in bundle.read("satellite_2.dxf")
     page.keyboard.press("Escape")
     box(page, "gear.ring_pin_radius_mm").fill("40")

@@ -51,7 +51,7 @@ def test_a_file(calc):
     name, content = calc.file("export/dxf", REQUESTS["export/dxf"], parts=["ring_pins"])
     assert name == "ring_pins.dxf" and content.rstrip().endswith(b"EOF")
     with pytest.raises(Refused) as caught:
-        calc.file("export/dxf", REQUESTS["export/dxf"], parts=["carrier"])
+        calc.file("export/dxf", REQUESTS["export/dxf"], parts=["lid"])
     assert caught.value.faults[0].pointer == "/parts/0"
 
 

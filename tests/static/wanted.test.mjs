@@ -386,16 +386,22 @@ test("discs are drawn of which all is known, each with its own crank", async () 
       },
       input: filled, filled, sections: calculator.sections, tables: new Set(),
     });
-    return calculator.files({ requests, filled });
+    return calculator.files({ requests }, 40);
   };
   const cycloid = { kind: "cycloid", ring_pin_circle_radius_mm: 60, ring_pin_radius_mm: 5 };
   const modification = { equidistant_mm: 0.02 };
   for (const gear of [cycloid, { ...cycloid, ring_pin_radius_mm: undefined, modification }, { kind: "involute", module_mm: 2 }]) {
     assert.deepEqual(await drawn(gear), []);
   }
-  const [{ id, path, body: { design, parts } }, solids] = await drawn({ ...cycloid, modification }, { crank_angles_deg: [0, 100, 230], satellites: 3 });
-  assert.deepEqual([id, path, parts], ["dxf", "/export/dxf", ["satellite_1", "satellite_2", "satellite_3", "ring_pins"]]);
-  assert.deepEqual(solids, { id: "build123d", path: "/export/build123d", body: { design } });
+  const files = await drawn({ ...cycloid, modification }, { crank_angles_deg: [0, 100, 230], satellites: 3 });
+  const [{ body: { design } }] = files;
+  const drawing = (id, more) => ({ id, path: "/export/dxf", titled: true, body: { design, ...more } });
+  assert.deepEqual(files, [
+    drawing("dxf", { crank_angle_deg: 40 }),
+    drawing("dxf_assembly", { parts: ["assembly"], crank_angle_deg: 40 }),
+    ...["carrier", "shaft", "housing"].map((part) => drawing(`dxf_${part}`, { parts: [part] })),
+    { id: "build123d", path: "/export/build123d", body: { design } },
+  ]);
   assert.deepEqual(design.gear, { ...cycloid, modification });
   assert.equal(design.include, undefined);
 });

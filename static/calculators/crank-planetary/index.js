@@ -343,14 +343,15 @@ export default {
     { id: "workPeak", section: "contact_force", measures: "contact-force", body: forceBody },
   ],
 
-  /** What the service draws of the design on the screen: cycloid discs whose modification is stated, and the pins of their ring; involute teeth of known heights. */
-  files({ requests, filled }) {
+  /** What the service makes of the design on the screen, the assembly at a crank angle: of cycloid discs whose modification is stated, and the pins of their ring; of involute teeth of known heights. */
+  files({ requests }, angle) {
     const { include, ...design } = requests.find(({ path }) => path.endsWith(this.path))?.body ?? {};
-    const ring = shaped(design.gear) ? "ring" : design.gear?.modification && design.gear.ring_pin_radius_mm && "ring_pins";
-    if (!ring) return [];
-    const discs = cranksOf(filled.mechanism).map((_, j) => `satellite_${j + 1}`);
+    if (!shaped(design.gear) && !(design.gear?.modification && design.gear.ring_pin_radius_mm)) return [];
+    const drawn = { path: "/export/dxf", titled: true };
     return [
-      { id: "dxf", path: "/export/dxf", body: { design, parts: [...discs, ring] } },
+      { id: "dxf", ...drawn, body: { design, crank_angle_deg: angle } },
+      { id: "dxf_assembly", ...drawn, body: { design, parts: ["assembly"], crank_angle_deg: angle } },
+      ...["carrier", "shaft", "housing"].map((part) => ({ id: `dxf_${part}`, ...drawn, body: { design, parts: [part] } })),
       { id: "build123d", path: "/export/build123d", body: { design } },
     ];
   },
