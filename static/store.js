@@ -25,7 +25,7 @@
 import { judgedOf, pathOf, verdictSentence, wordIn, wordOf } from "./lib/checks.js";
 import { formatNumber, formatQuantity } from "./lib/format.js";
 import { begun, paused, recorded, redone, undone } from "./lib/history.js";
-import { isOn, readState, shownFields, textIn, withLinks } from "./lib/form_state.js";
+import { cellAt, cellsOf, isOn, readState, shownFields, textIn, textOfCells, withLinks } from "./lib/form_state.js";
 import { query } from "./lib/url_state.js";
 import { warningsOf } from "./lib/verdict.js";
 import { message } from "./messages/index.js";
@@ -268,10 +268,14 @@ export const withUsual = (state, of, { usual_fit: fit, usual_modification: ring 
 /** Values put in by JSON pointer: a fix, a size that was looked for. */
 export function applied(state, sets, time) {
   const { typed, about: { model } } = state;
-  const texts = Object.entries(sets).map(([pointer, value]) => [pathOf(pointer), value])
-    .filter(([path]) => model.fields.has(path))
-    .map(([path, value]) => [path, textIn(model.fields.get(path), value)]);
-  const next = withLinks(model, { ...typed, texts: { ...typed.texts, ...Object.fromEntries(texts) } });
+  const texts = { ...typed.texts };
+  for (const [pointer, value] of Object.entries(sets)) {
+    const path = pathOf(pointer);
+    const cell = cellAt(model, path);
+    if (model.fields.has(path)) texts[path] = textIn(model.fields.get(path), value);
+    else if (cell) texts[cell.list] = textOfCells(cellsOf(texts[cell.list]).map((cells, row) => (row === cell.row ? cells.with(cell.index, textIn(cell.field, value)) : cells)));
+  }
+  const next = withLinks(model, { ...typed, texts });
   return read({ ...state, refusal: null }, recorded(state.history, next, undefined, time));
 }
 

@@ -7,7 +7,7 @@ import { createAsking } from "./asking.js";
 import { partRow, wordIn } from "./lib/checks.js";
 import { MOST } from "./lib/designs.js";
 import { element, html } from "./lib/html.js";
-import { shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/form_state.js";
+import { cellAt, shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/form_state.js";
 import { entryOf, optionsOf } from "./lib/schema_form.js";
 import { lasting, parsed } from "./lib/storage.js";
 import { LABELS, query, withVerdict } from "./lib/url_state.js";
@@ -193,7 +193,7 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
   });
   const numbers = createNumbers({ calculator });
   const checks = createChecks({
-    calculator, titles, fieldAt: (path) => model.fields.get(path), askedAt: (path) => entryOf(model, path),
+    calculator, titles, fieldAt: (path) => model.fields.get(path) ?? cellAt(model, path)?.field, askedAt: (path) => entryOf(model, path),
     on: {
       fixed: apply,
       asked: lead,

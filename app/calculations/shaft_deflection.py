@@ -90,6 +90,12 @@ class LineContactFields(RequestModel, group="line_contact"):
 _GEAR = ("roller_radius_mm", "roller_circle_radius_mm")
 """Inputs of the gear that a fix may change."""
 
+_PLAIN = ("shaft_diameter_mm", "overhang_mm", "bearing_distance_mm")
+"""Inputs of a shaft of one diameter that a fix may change."""
+
+_of = "shaft_sections[{}].diameter".format
+"""Core name of the diameter of a stretch of a stepped shaft, by its number."""
+
 _OF_SHAFT = ("bearing_distance", "overhang", "youngs_modulus")
 """Arguments of the core that describe the shaft, besides its stretches."""
 
@@ -271,8 +277,16 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         """Verdict of a result, with checks and fixes on request."""
 
         def checks(changed: dict[str, Any]) -> Verdict:
-            fields = {name: from_si(name, changed[core_name(name)]) for name in self._varied()}
-            body = self.model_copy(update=fields)
+            fields = {
+                name: from_si(name, changed[core_name(name)])
+                for name in (*_GEAR, *_PLAIN)
+                if core_name(name) in changed
+            }
+            sections = [
+                each.model_copy(update={"diameter_mm": from_si("diameter_mm", changed[_of(index)])})
+                for index, each in enumerate(self.shaft_sections or ())
+            ]
+            body = self.model_copy(update=fields | {"shaft_sections": sections or None})
             same_gear = all(getattr(body, name) == getattr(self, name) for name in _GEAR)
             own = load if same_gear else body.solve_load()
             found = body.solve_shaft(own)
@@ -282,17 +296,20 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         asked = "checks" in self.include
         judged = judgement(verdict, self, torque=self.torque_Nm, checks=asked)
         if "fixes" in self.include:
-            design = {core_name(name): to_si(name, getattr(self, name)) for name in self._varied()}
             codes = codes_to_fix(verdict, self.fixes_for)
-            fixes = plain_fixes(design=design, codes=codes, current=verdict, checks=checks)
+            fixes = plain_fixes(design=self._varied(), codes=codes, current=verdict, checks=checks)
             judged["fixes"] = [fix_values(each, self) for each in fixes]
         return judged
 
-    def _varied(self) -> tuple[str, ...]:
-        """Inputs that a fix may change; none of a stepped shaft, as its lengths add up."""
-        if self.shaft_diameter_mm is None:
-            return _GEAR
-        return (*_GEAR, "shaft_diameter_mm", "overhang_mm", "bearing_distance_mm")
+    def _varied(self) -> dict[str, float]:
+        """Inputs that a fix may change, SI, by core names; of a stepped shaft the diameters, as its
+        lengths add up.
+        """
+        names = _GEAR if self.shaft_sections else (*_GEAR, *_PLAIN)
+        found = {core_name(name): to_si(name, getattr(self, name)) for name in names}
+        for index, each in enumerate(self.shaft_sections or ()):
+            found[_of(index)] = to_si("diameter_mm", each.diameter_mm)
+        return found
 
     def solve_diagram(self) -> tuple[ShaftDeflection, ShaftDiagram]:
         """Reactions and deflection, and curves of loads and deflection along the shaft."""

@@ -117,7 +117,9 @@ LINE_MATERIALS = ("line_contact.roller_material", "line_contact.mating_material"
 """Materials of the parts that touch along the contact lines."""
 
 _roller, _shaft = Element("rollers"), Element("shaft")
-_bending = Element("shaft", fixes="shaft_diameter overhang bearing_distance", source="beam")
+_bending = Element(
+    "shaft", fixes="shaft_diameter shaft_sections.diameter overhang bearing_distance", source="beam"
+)
 _between = Element("rollers", unit="mm", keep="above")
 _room = Element("room", unit="mm", keep="above")
 
@@ -266,7 +268,7 @@ def line_spacing(kind: Kind, design: ShaftDesign) -> Check:
     formula="R_C − ρ − d/2 > 0",
     why="Otherwise the shaft reaches the rollers.",
     inputs="roller_circle_radius roller_radius shaft_diameter shaft_sections",
-    fixes="shaft_diameter roller_radius roller_circle_radius",
+    fixes="shaft_diameter shaft_sections.diameter roller_radius roller_circle_radius",
 )
 def shaft_in_circle(kind: Kind, design: ShaftDesign) -> Check:
     size = design.roller_radius
@@ -313,7 +315,7 @@ def shaft_slope(kind: Kind, design: ShaftDesign) -> Measure:
     formula="σ ≤ R_e/S_F",
     why="Above it the shaft bends for good.",
     inputs=(_SHAFT, "yield_strength bending_safety"),
-    fixes="shaft_diameter overhang",
+    fixes="shaft_diameter shaft_sections.diameter overhang",
     source="beam",
     needs="strength",
 )
@@ -332,7 +334,7 @@ def shaft_static(kind: Kind, design: ShaftDesign) -> Check:
         tuple(each for each in FATIGUE if each != "fatigue.criterion"),
         "fatigue_safety",
     ),
-    fixes="shaft_diameter overhang",
+    fixes="shaft_diameter shaft_sections.diameter overhang",
     source="shigley",
     keep="above",
     needs="strength fatigue_asked",

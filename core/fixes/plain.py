@@ -2,10 +2,15 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
+from functools import partial
+from re import sub
 from typing import Any
 
 from core.checks.check import Check, Verdict
 from core.fixes.fix import WHOLE, Cure, Fix, NoFix, fix_of, in_order
+
+bare = partial(sub, r"\[\d+\]", "")
+"""Name of an input of one of several equal parts, without its number."""
 
 
 def plain_fixes(
@@ -21,8 +26,9 @@ def plain_fixes(
     """
     fixes = []
     for code in codes:
-        for variable in current[code].kind.fixes:
-            before = design.get(variable)
+        named = current[code].kind.fixes
+        for variable in (each for name in named for each in design if bare(each) == name):
+            before = design[variable]
             if not before or (variable == "rollers" and "gaps" in design):
                 continue
 

@@ -34,6 +34,16 @@ export function textOfCells(rows) {
   return rows.map((cells) => cells.join("; ")).join(" | ");
 }
 
+/** The cell of a list of records that a path of the body means: the list, row and column, and the column with the number of its row. */
+export function cellAt(model, path) {
+  const [, at, row, name] = /^(.+)\.(\d+)\.(\w+)$/.exec(path) ?? [];
+  const list = model.fields.get(at);
+  const index = list?.columns?.findIndex((column) => column.name === name) ?? -1;
+  if (index < 0) return undefined;
+  const column = list.columns[index];
+  return { list: at, row: Number(row), index, field: { ...column, title: `${column.title} ${Number(row) + 1}` } };
+}
+
 /** How a value stands in the box of a field, in the unit shown. */
 export function textIn(field, value) {
   if (value === undefined || value === null) return "";

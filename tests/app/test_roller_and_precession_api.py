@@ -248,3 +248,16 @@ async def test_more_rollers_cure_a_stress_unless_each_has_a_gap_of_its_own(api):
         cures.append({each["pointer"] for each in answer["fixes"]})
     both = {"/diameter_mm", "/hole_circle_radius_mm", "/output_torque_Nm"}
     assert cures == [both | {"/rollers", "/position_tolerance_mm"}, both]
+
+
+async def test_a_stepped_shaft_is_mended_by_one_of_its_diameters(api):
+    sections = [{"length_mm": 30.0, "diameter_mm": 20.0}, {"length_mm": 40.0, "diameter_mm": 25.0}]
+    body = without(SHAFT, "shaft_diameter_mm") | {"shaft_sections": sections}
+    bent = (await api.answer("precession/shaft-deflection", body))["deflection_C_mm"]["total"]
+    body |= {"requirements": {"max_deflection_mm": 0.99 * bent}}
+    answer = await api.answer("precession/shaft-deflection", body | {"include": ["fixes"]})
+    found = {each["pointer"]: each for each in answer["fixes"]}
+    assert {f"/shaft_sections/{index}/diameter_mm" for index in (0, 1)} <= {*found}
+    for fix in found.values():
+        assert fix["to"] > fix["from"]
+        await api.reposted("precession/shaft-deflection", body, fix)

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { fieldAtPointer, readState, stateFromInput } from "../../static/lib/form_state.js";
+import { cellAt, fieldAtPointer, readState, stateFromInput } from "../../static/lib/form_state.js";
 import { formModel } from "../../static/lib/schema_form.js";
 import { decodeState, encodeState } from "../../static/lib/url_state.js";
 
@@ -92,4 +92,10 @@ test("a decimal comma is read in a cell", () => {
 test("the service's pointer into a record means its list", () => {
   const shown = [...model.fields.values()];
   assert.equal(fieldAtPointer(shown, "/rollers/1/z_min_mm").path, "rollers");
+});
+
+test("a pointer into a list means a cell, whose title says the row", () => {
+  const { list, row, index, field } = cellAt(model, "rollers.1.z_min_mm");
+  assert.deepEqual([list, row, index, field.title], ["rollers", 1, 1, "From 2"]);
+  assert.deepEqual(["rollers.1.colour", "radius_mm", "gear.1.z_min_mm"].map((path) => cellAt(model, path)), [undefined, undefined, undefined]);
 });
