@@ -4,7 +4,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 from app import calculations
-from app.exports import build123d, dxf
+from app.exports import build123d, dxf, xlsx
 from app.model import Calculation, Export
 
 FIRST = (
@@ -44,7 +44,9 @@ def _calculations() -> dict[str, Calculation]:
 CALCULATIONS = _calculations()
 """Calculations by name."""
 
-EXPORTS: dict[str, Export] = {module.EXPORT.name: module.EXPORT for module in (dxf, build123d)}
+EXPORTS: dict[str, Export] = {
+    module.EXPORT.name: module.EXPORT for module in (dxf, build123d, xlsx)
+}
 """Files of a design, by name."""
 
 NEGLECTED = {
