@@ -36,6 +36,12 @@ const loadRest = async () => {
   ({ createRest: makeRest } = await import("./rest.js"));
 };
 
+/** The last request of an answer as a spreadsheet. */
+function sheetOf({ requests }) {
+  const { path, body } = requests.at(-1);
+  return { id: "xlsx", path: "/export/xlsx", body: { calculation: path.slice(1), input: body } };
+}
+
 /** A field lights its dimension in the drawing, and a dimension its field. */
 function lightEachOther(form, drawing) {
   for (const event of ["pointerover", "focusin"]) {
@@ -364,7 +370,7 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       calculator: calculator.id,
       ...store.state.shown,
       answer: next.answerNow(store.state),
-      files: (calculator.files?.(store.state.shown, store.state.turn.angle ?? 0) ?? []).map(({ id, path, titled, body }) => ({
+      files: [sheetOf(store.state.shown), ...calculator.files?.(store.state.shown, store.state.turn.angle ?? 0) ?? []].map(({ id, path, titled, body }) => ({
         id, make: () => client.file(path, titled ? { ...body, title_block: titleBlock() } : body),
       })),
       refused: (problem) => problemText(problem, titles),

@@ -567,6 +567,7 @@ export default {
     python: "Request in Python",
     json: "Requests and answers, JSON",
     csv: "All results, CSV",
+    xlsx: "Spreadsheet, XLSX",
     dxf: "Drawings of all parts, DXF",
     dxf_assembly: "Assembly, DXF",
     dxf_carrier: "Carrier, DXF",

@@ -566,6 +566,7 @@ export default {
     python: "Запрос на Python",
     json: "Запросы и ответы, JSON",
     csv: "Все результаты, CSV",
+    xlsx: "Электронная таблица, XLSX",
     dxf: "Чертежи всех деталей, DXF",
     dxf_assembly: "Сборочный чертёж, DXF",
     dxf_carrier: "Диск выходного звена, DXF",

@@ -566,6 +566,7 @@ export default {
     python: "Запит на Python",
     json: "Запити й відповіді, JSON",
     csv: "Усі результати, CSV",
+    xlsx: "Електронна таблиця, XLSX",
     dxf: "Креслення всіх деталей, DXF",
     dxf_assembly: "Складальне креслення, DXF",
     dxf_carrier: "Диск вихідної ланки, DXF",

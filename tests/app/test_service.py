@@ -257,7 +257,7 @@ def test_another_process_describes_alike_and_loads_nothing_that_may_not_be_asked
     """Whatever the seed of hashes, which the order of a set hangs on; as do those that calculate,
     it loads no library that few requests need.
     """
-    heavy = "'mpmath', 'plotly', 'ezdxf', 'fontTools'"
+    heavy = "'mpmath', 'plotly', 'ezdxf', 'xlsxwriter', 'fontTools'"
     code = (
         f"import sys, app.main, app.loaded; print([m for m in ({heavy}) if m in sys.modules]);"
         "import orjson; print(orjson.dumps(app.main.app.openapi()))"
