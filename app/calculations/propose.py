@@ -238,7 +238,7 @@ class ColumnsOut(ResponseModel):
     efficiency: Maybe[float] = result("Efficiency of pins and teeth.", symbol="η")
     ring_utilisation: Maybe[float] = result(
         "Pressure between teeth and ring pins that nine tenths of the pieces keep, over its limit: "
-        "`ring_max_pressure_MPa` of the same study. The verdict is that of parts without errors."
+        "`ring_max_pressure_MPa` of the same study."
     )
 
 
@@ -285,6 +285,9 @@ class ProposeResponse(ResponseModel):
     )
     nearest: Maybe[NearestOut] = Field(
         description="Design that comes nearest; absent if one holds."
+    )
+    processes: Maybe[list[str]] = Field(
+        description="Other processes by whose estimate a design would hold; absent if one holds."
     )
     tally: list[TallyOut] = Field(description="Why screened designs do not hold, most first.")
     study: dict[str, Any] = Field(
@@ -350,6 +353,7 @@ class _Found:
     """Proposals of a request, as they are found."""
 
     def __init__(self, body: ProposeRequest, report: Report, seconds: float) -> None:
+        self.body, self.seconds = body, seconds
         self.search = Search(
             body.demands,
             results_of=_results,
@@ -390,6 +394,21 @@ class _Found:
         }
 
     @property
+    def processes(self) -> list[str] | None:
+        """Other processes by whose estimate a design holds, if none holds by this one; as many as
+        the time allows.
+        """
+        if self.shown:
+            return None
+        found = list[str]()
+        for process in SHOPS:
+            if process != self.body.process and self.search.spent < self.seconds:
+                demands = self.body.model_copy(update={"process": process}).demands
+                other = Search(demands, results_of=_results, pieces=pieces_of, seconds=0.0)
+                found += [process] * other.hopeful
+        return found
+
+    @property
     def nearest(self) -> Values | None:
         """Values of the design that comes nearest if none holds."""
         found = None if self.shown else self.search.nearest
@@ -413,6 +432,7 @@ def reporting(body: ProposeRequest, report: Report, seconds: float = SECONDS) ->
     values = {
         "proposals": found.shown,
         "nearest": found.nearest,
+        "processes": found.processes,
         "tally": [asdict(each) for each in search.tally],
         "study": STUDY,
         "screened": search.screened,

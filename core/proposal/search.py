@@ -346,6 +346,11 @@ class Search:
         return self._now() - self._began
 
     @property
+    def hopeful(self) -> bool:
+        """True if a design is estimated to pass."""
+        return any((screen.reserve > MARGIN).any() for screen in self.screens)
+
+    @property
     def tally(self) -> list[Tally]:
         """Numbers of designs that each check rejects by the screen, most first; of ring pins that
         have no room on their circle the number of sizes.

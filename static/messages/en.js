@@ -304,6 +304,7 @@ export default {
     found: "Found: {count}.",
     looked: "Estimated: {screened} designs, fully calculated: {judged}.",
     none: "No design does all that is asked: {screened} were estimated, {judged} fully calculated.",
+    processes: "By the estimate it can be done if it is made another way: {processes}.",
     list: "Proposals",
     name: "{ratio}:1 · {bearing} · pins {pins}×{diameter} · ring {teeth}×{roller}",
     why: "What rejects the designs, by the estimate",

@@ -304,6 +304,7 @@ export default {
     found: "Найдено: {count}.",
     looked: "Оценено вариантов: {screened}, полностью рассчитано: {judged}.",
     none: "Ни один вариант не выполняет всех требований: оценено {screened}, полностью рассчитано {judged}.",
+    processes: "По оценке это возможно при другом изготовлении: {processes}.",
     list: "Предложения",
     name: "{ratio}:1 · {bearing} · пальцы {pins}×{diameter} · ролики {teeth}×{roller}",
     why: "Что отбрасывает варианты по оценке",

@@ -304,6 +304,7 @@ export default {
     found: "Знайдено: {count}.",
     looked: "Оцінено варіантів: {screened}, повністю розраховано: {judged}.",
     none: "Жоден варіант не виконує всіх вимог: оцінено {screened}, повністю розраховано {judged}.",
+    processes: "За оцінкою це можливо за іншого виготовлення: {processes}.",
     list: "Пропозиції",
     name: "{ratio}:1 · {bearing} · цівки {pins}×{diameter} · ролики {teeth}×{roller}",
     why: "Що відкидає варіанти за оцінкою",

@@ -7,7 +7,7 @@ import { stateFromInput, stepped } from "../lib/form_state.js";
 import { element, fill, html } from "../lib/html.js";
 import { session } from "../lib/storage.js";
 import { decodeState, query } from "../lib/url_state.js";
-import { message, quantityTitle } from "../messages/index.js";
+import { message, quantityTitle, said } from "../messages/index.js";
 import * as next from "../store.js";
 import { createForm } from "./form.js";
 import { busy, sign } from "./parts.js";
@@ -28,17 +28,20 @@ function cellsOf({ columns }) {
     [quantityTitle(column, ID), formatQuantity(columns[column], unitOf(column), digitsOf(unitOf(column)))]);
 }
 
+const materialOf = ({ contact: { hole_material: name } }) => said("materials", name) ?? name;
+
 function proposalMarkup(one, { nameOf, pictureOf }) {
   const [word, name] = [one.verdict, nameOf(one.design)];
   return html`${pictureOf(one.design)}<div><h3>${name}</h3>
       <p class="word ${levelOfWord(word)}">${sign(levelOfWord(word))}${wordText({ verdict: word, parts: [] })}</p>
+      <p class="note">${[word !== "pass" && one.governing && titleOf({ code: one.governing }), materialOf(one.design)].filter(Boolean).join(" · ")}</p>
       <button type="button" class="primary" aria-label="${message("compare.openWhat", { name })}">${message("compare.open")}</button></div>
     <dl>${cellsOf(one).map(([title, value]) => html`<div><dt>${title}</dt><dd>${value}</dd></div>`)}</dl>`;
 }
 
 /** Why none holds: which checks reject how many designs, and the design that comes nearest with what it lacks. */
-function noneMarkup({ tally, nearest }, logic) {
-  return html`${nearest && html`<h3 class="nearest">${message("propose.nearest")}</h3>
+function noneMarkup({ tally, nearest, processes = [] }, logic) {
+  return html`${processes.length > 0 && html`<p>${message("propose.processes", { processes: processes.map((code) => message(`option.${code}`)).join(", ") })}</p>`}${nearest && html`<h3 class="nearest">${message("propose.nearest")}</h3>
       <div class="proposal" data-at="nearest">${proposalMarkup(nearest, logic)}
         <p class="note">${message("propose.lacks")}</p>
         <ul class="lacks">${nearest.lacks.map(({ code, asked_over_reached: ratio }) => html`<li>${titleOf({ code })}${ratio !== undefined && html` <b>× ${formatNumber(ratio, 3)}</b>`}</li>`)}</ul></div>`}

@@ -43,7 +43,7 @@ function rankedMarkup(title, rows) {
 }
 
 export function createView({ id, logic, asking, open, titles }) {
-  const root = element(html`<div class="study"><p class="state">${message("study.idleYet")}</p><div class="outcome"></div></div>`);
+  const root = element(html`<div class="study"><p class="state">${message("study.idleYet")}</p><button type="button" class="primary" data-do="run">${message("study.run")}</button><div class="outcome"></div></div>`);
   const run = createRun({
     run: message("study.run"), stop: message("study.stop"), running: message("study.running"), idle: message("study.idleYet"),
     on: {
@@ -55,6 +55,8 @@ export function createView({ id, logic, asking, open, titles }) {
     },
   });
   const line = root.querySelector(".state");
+  const here = root.querySelector("[data-do=run]"); // until there are results, which say more
+  here.addEventListener("click", () => asking.ask());
   const see = element(html`<button type="button" class="link" data-do="see" hidden>${message("study.see")}</button>`);
   run.root.querySelector("progress").before(see);
   see.addEventListener("click", () => {
@@ -94,6 +96,7 @@ export function createView({ id, logic, asking, open, titles }) {
         stopped: message("besides.stopped"), refused: refusal?.text, failed: refusal?.text,
       }[phase] ?? (answer ? "" : message("study.idleYet"));
       see.hidden = !answer || running;
+      here.hidden = Boolean(answer) || running;
       const text = [words, older && message("besides.older")].filter(Boolean).join(" ");
       run.update(now, text, message(answer && !older ? "study.again" : "study.run"));
       line.textContent = text;

@@ -263,3 +263,12 @@ async def test_what_cannot_be_asked_is_refused_at_its_field(
     refused = await api.answer(PATH, EASY | change, 422)
     (error,) = refused["errors"]
     assert (error["pointer"], error["code"]) == (pointer, code)
+
+
+async def test_where_none_holds_other_ways_to_make_it_are_named(api: Any) -> None:
+    """Softer discs do not bear what ground ones do."""
+    task = {"torque_Nm": 120.0, "ratio": 15, "outer_diameter_mm": 130.0}
+    answer = await once(api, task)
+    assert answer["proposals"] == [] and answer["processes"] == ["ground"]
+    ground = await once(api, task | {"process": "ground", "wanted": 1})
+    assert ground["proposals"] and "processes" not in ground
