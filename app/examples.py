@@ -1,4 +1,5 @@
-"""Figures and numbers of papers as ready requests, and a design that works, from `examples.json`.
+"""Figures and numbers of papers, designs that work and reducers that were built, as ready requests
+from `examples.json`.
 
 Papers print no torque and no sizes for figures that show ratios; if a request needs them, the
 example has round numbers, and its title names the quantity to look at. A through-hardened satellite

@@ -87,8 +87,9 @@ def leaves(part: Any, path: str = "") -> Iterator[tuple[str, Any]]:
 
 
 def given_by(example: dict[str, Any]) -> dict[str, Any]:
-    """Values that an example types; an even spacing equals an empty box."""
+    """Values that an example types; an even spacing equals an empty box, sleeves are a choice."""
     given = dict(leaves(example["input"]))
+    given.pop("friction.sleeve", None)
     spacing = "mechanism.crank_spacing_deg"
     if given.get(spacing) == 360 / given.get("mechanism.satellites", 1):
         del given[spacing]

@@ -54,8 +54,8 @@ BOUNDS = {
     "on a printed crank, all of 7.5 GPa, N·m/′": (0.5, 1),
     # Bearings and cams lose besides: measured is below ours, unless friction is at its upper end.
     # "About 70 %" is known to 5 %.
-    "efficiency": (0.8, 1),
-    "efficiency, friction 0.35": (0.93, 1.07),
+    "efficiency, ours of the teeth": (0.8, 1),
+    "the same, friction 0.35": (0.93, 1.07),
     # Ours is of the holes alone, the measured one of all; "about 2°" is known to a quarter.
     "backlash, holes as usual in print, ′": (1, 2.5),
     # A bearing with a quarter of the load for its rating: 50 N*m are not for long.
