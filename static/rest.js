@@ -40,7 +40,7 @@ export function createRest({ store, inputs, outputs, panels, client, designs, ve
         designs.remove(design);
         on.compared();
       },
-      export: () => compare.save(designs.exported()),
+      export: () => compare.save(designs.exported(version)),
     },
   });
   const results = createResults({ calculator, titles });

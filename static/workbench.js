@@ -4,8 +4,8 @@
  * transition.
  */
 import { createAsking } from "./asking.js";
-import { partRow, wordIn } from "./lib/checks.js";
-import { MOST } from "./lib/designs.js";
+import { partRow } from "./lib/checks.js";
+import { MOST, resultsOf } from "./lib/designs.js";
 import { element, html } from "./lib/html.js";
 import { cellAt, shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/form_state.js";
 import { entryOf, optionsOf } from "./lib/schema_form.js";
@@ -108,7 +108,7 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     const { body = single } = requests.find(({ path }) => path?.endsWith(calculator.path)) ?? {};
     if (count) on.tell(message("compare.imported", { count }));
     if (count) asking.compare();
-    if (kept) take(stateOf(kept.input, kept.labels), { verdict: kept.verdict });
+    if (kept) take(stateOf(kept.input, kept.labels), { verdict: kept.results?.verdict });
     const ours = !count && Object.keys(body).some((name) => [...model.fields.keys()].some((path) => path.split(".")[0] === name));
     if (ours) take(stateOf(calculator.inputOf?.(body) ?? body));
     return Boolean(link || count || ours);
@@ -221,9 +221,10 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       on.tell(message("compare.full", { most: MOST }));
       return;
     }
-    const { input, answer, typed: { texts } } = store.state.shown;
+    const { input, requests, typed: { texts } } = store.state.shown;
+    const { path, body } = requests.at(-1);
     const labels = Object.fromEntries(LABELS.filter((label) => texts[label]).map((label) => [label, texts[label]]));
-    const { name } = designs.add(calculator.id, input, labels.title?.slice(0, 24), { labels, verdict: wordIn(calculator, answer) });
+    const { name } = designs.add(calculator.id, input, labels.title?.slice(0, 24), { labels, results: resultsOf(calculator, next.answerNow(store.state)), path, body });
     asking.compare();
     rest?.compare();
     on.tell(message(designs.lasting() ? "compare.kept" : "compare.unsaved", { name }));

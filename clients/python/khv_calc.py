@@ -179,6 +179,24 @@ class Client:
                     item = _object(line)
                     yield item["result"] if "result" in item else Refused(item["problem"])
 
+    def reopened(self, file: str) -> Iterator[tuple[str, Answer, dict[str, tuple[Any, Any]]]]:
+        """Designs of a project file, asked again: name, answer, and the kept results that moved by
+        more than 1e-6, each before and after.
+
+        `file` is the text of a file that the page saved. Designs of the first form keep no request and are left out:
+        the page reads them. `Refused` is raised as by `ask`.
+        """
+        project = _object(file)
+        if project.get("format") != "khv-calc designs":
+            raise ValueError("this is no project file of KHV Calc")
+        for design in project["designs"]:
+            if "body" in design:
+                include = [*design["body"].get("include", [])]
+                largest = "largest_torque_Nm" in design["results"]
+                more = {"include": [*include, "largest_torque"]} if include and largest else {}
+                answer = self.ask(design["path"].lstrip("/"), design["body"], **more)
+                yield design["name"], answer, _moved(design["results"], answer)
+
     @contextmanager
     def _answer(
         self, method: str, path: str, content: str | None = None, accept: str = "application/json"
@@ -199,6 +217,19 @@ class Client:
         if answer.headers.get("content-type") == "application/problem+json":
             raise Refused(answer.json())
         answer.raise_for_status()
+
+
+def _moved(kept: Mapping[str, Any], answer: Answer) -> dict[str, tuple[Any, Any]]:
+    """Kept results that an answer has differently, each before and after."""
+    judged = [answer, *(answer.get(name, {}) for name in ("load_sharing", "hertz"))]
+    parts = [*judged, *(each for each in answer.values() if isinstance(each, dict))]
+    found = {}
+    for name, before in kept.items():
+        after = next((each[name] for each in parts if name in each), before)
+        numbers = isinstance(before, (int, float)) and isinstance(after, (int, float))
+        if abs(after - before) > 1e-6 * abs(before) if numbers else after != before:
+            found[name] = before, after
+    return found
 
 
 def is_called(said: Mapping[str, Any], code: str) -> bool:

@@ -584,6 +584,7 @@ export default {
     full: "{most} designs are kept: remove one first.",
     best: "best",
     was: "when kept: {verdict}",
+    moved: "Moved since it was kept",
     base: "compared against",
     title: "Designs side by side",
     export: "Save all to a file",

@@ -3,6 +3,7 @@ import { ASIDE, flattened, judgedOf, levelOfWord, listedOf, percent, titleOf, wo
 import { element, fill, html } from "../lib/html.js";
 import { ALL, formatNumber, formatQuantity, quantityParts, unitOf } from "../lib/format.js";
 import { message, quantityTitle } from "../messages/index.js";
+import { movedOf, resultsOf } from "../lib/designs.js";
 import { readState, shownFields, stateFromInput, textIn } from "../lib/form_state.js";
 import { shownUnit } from "../lib/units.js";
 import { answerNow, following } from "../store.js";
@@ -83,7 +84,7 @@ function decisiveRows(calculator, designs, base) {
   const text = (of) => all.map((judged) => (judged ? of(judged) : { text: "–" }));
   const governing = (judged) => judged.checks?.find(({ code }) => code === judged.governing);
   return [
-    { title: message("verdict.label"), cells: all.map((judged, i) => (judged ? verdictCell(wordOf(judged), designs[i].verdict) : { text: "–" })) },
+    { title: message("verdict.label"), cells: all.map((judged, i) => (judged ? verdictCell(wordOf(judged), designs[i].results?.verdict) : { text: "–" })) },
     {
       title: message("checks.governing"),
       cells: text((judged) => {
@@ -92,7 +93,17 @@ function decisiveRows(calculator, designs, base) {
       }),
     },
     numberRow(message("checks.torque"), "N·m", all.map((judged) => judged?.largest_torque_Nm), base, 1),
+    ...movedRow(calculator, designs),
   ];
+}
+
+/** What moved since designs were kept, where anything did: an earlier version of the service may have said it. */
+function movedRow(calculator, designs) {
+  const cells = designs.map(({ results, answer }) => ({
+    text: movedOf(results, answer ? resultsOf(calculator, answer) : {})
+      .map(([name, before, after]) => `${quantityTitle(name)} ${quantityParts(before, unitOf(name)).value} → ${formatQuantity(after, unitOf(name))}`).join("; "),
+  }));
+  return cells.some(({ text }) => text) ? [{ title: message("compare.moved"), cells }] : [];
 }
 
 /** The numbers of the sections, a row each: also what is known of some designs only; those that differ first. */

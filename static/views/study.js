@@ -43,7 +43,7 @@ function rankedMarkup(title, rows) {
 }
 
 export function createView({ id, logic, asking, open, titles }) {
-  const root = element(html`<div class="study"><p class="state">${message("study.idleYet")}</p><button type="button" class="primary" data-do="run">${message("study.run")}</button><div class="outcome"></div></div>`);
+  const root = element(html`<div class="study"><p class="state">${message("study.idleYet")}</p><button type="button" class="primary" data-do="begin">${message("study.run")}</button><div class="outcome"></div></div>`);
   const run = createRun({
     run: message("study.run"), stop: message("study.stop"), running: message("study.running"), idle: message("study.idleYet"),
     on: {
@@ -55,7 +55,7 @@ export function createView({ id, logic, asking, open, titles }) {
     },
   });
   const line = root.querySelector(".state");
-  const here = root.querySelector("[data-do=run]"); // until there are results, which say more
+  const here = root.querySelector("[data-do=begin]"); // until there are results, which say more
   here.addEventListener("click", () => asking.ask());
   const see = element(html`<button type="button" class="link" data-do="see" hidden>${message("study.see")}</button>`);
   run.root.querySelector("progress").before(see);

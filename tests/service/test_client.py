@@ -55,6 +55,27 @@ def test_a_file(calc):
     assert caught.value.faults[0].pointer == "/parts/0"
 
 
+def test_a_project_file_is_asked_again_and_says_what_moved(calc):
+    (body,) = (each["input"] for each in EXAMPLES if each["id"] == "whole")
+    body = body | {"include": ["hertz", "checks"]}
+    pressure = calc.ask("crank-planetary", body)["hertz"]["max_pressure_MPa"]
+    results = {"verdict": "fail", "governing": "gone", "max_pressure_MPa": pressure}
+    kept = {"calculator": "crank-planetary", "input": {}, "results": results}
+    one = {"name": "A", **kept, "path": "/crank-planetary", "body": body}
+    other = one | {"name": "B", "results": {"max_pressure_MPa": 2 * pressure}}
+    designs = [one, other, {"name": "C", **kept}]
+    project = {"format": "khv-calc designs", "v": 2, "designs": designs}
+    (name, answer, moved), (_, _, numbers) = calc.reopened(json.dumps(project))
+    assert (name, answer["hertz"]["max_pressure_MPa"]) == ("A", pressure)
+    assert moved == {
+        "verdict": ("fail", answer["verdict"]),
+        "governing": ("gone", answer["governing"]),
+    }
+    assert numbers == {"max_pressure_MPa": (2 * pressure, pressure)}
+    with pytest.raises(ValueError, match="no project file"):
+        next(calc.reopened("{}"))
+
+
 def test_what_the_service_says_about_itself(calc):
     assert [each["id"] for each in calc.get("examples")["examples"]] == [
         each["id"] for each in EXAMPLES

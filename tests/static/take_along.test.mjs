@@ -3,7 +3,7 @@ import { spawnSync } from "node:child_process";
 import { test } from "node:test";
 
 import { csvOf, csvOfTables, curlLine, flatValues, pythonCode } from "../../static/lib/exports.js";
-import { createDesigns } from "../../static/lib/designs.js";
+import { createDesigns, movedOf, resultsOf } from "../../static/lib/designs.js";
 import { begun, recorded, redone, undone } from "../../static/lib/history.js";
 import { lasting } from "../../static/lib/storage.js";
 
@@ -94,6 +94,27 @@ test("a file of designs loads elsewhere; names that are taken get a free one", (
   assert.deepEqual(second.of("job").map(({ name, input }) => [name, input.pins]), [["A", 9], ["B", 3]]);
   assert.equal(second.imported("no JSON"), null);
   assert.equal(second.imported('{"format": "another"}'), null);
+});
+
+test("a project file keeps results and requests, and one of the first form its verdict", () => {
+  const calculator = { id: "job" };
+  const answer = { verdict: "pass", governing: "x", largest_torque_Nm: 20, hertz: { max_pressure_MPa: 800 }, load_sharing: { backlash_max_arcmin: 2, peak_force_N: 7 }, other: { peak_force_N: 9 } };
+  const results = resultsOf(calculator, answer);
+  assert.deepEqual(results, { verdict: "pass", governing: "x", largest_torque_Nm: 20, max_pressure_MPa: 800, peak_force_N: 7, backlash_max_arcmin: 2 });
+  assert.deepEqual(movedOf(results, resultsOf(calculator, { ...answer, largest_torque_Nm: 20 * (1 + 1e-7), hertz: { max_pressure_MPa: 801 } })), [["max_pressure_MPa", 800, 801]]);
+  assert.deepEqual(movedOf(undefined, results), []);
+  const first = createDesigns(memory());
+  first.add("job", { pins: 3 }, "Own", { results, path: "/job", body: { pins: 3 } });
+  const file = JSON.parse(first.exported("1.2.3"));
+  assert.deepEqual([file.format, file.v, file.version], ["khv-calc designs", 2, "1.2.3"]);
+  const second = createDesigns(memory());
+  assert.equal(second.imported(JSON.stringify(file)), 1);
+  const [{ results: kept, path, body }] = second.of("job");
+  assert.deepEqual([kept, path, body], [results, "/job", { pins: 3 }]);
+  const old = { format: "khv-calc designs", v: 1, designs: [{ name: "B", calculator: "job", input: {}, verdict: "fail" }] };
+  assert.equal(second.imported(JSON.stringify(old)), 1);
+  assert.deepEqual(second.of("job")[1].results, { verdict: "fail" });
+  assert.equal(second.imported(JSON.stringify({ ...old, v: 3 })), null);
 });
 
 test("a storage with something else in it, or none, does no harm", () => {
