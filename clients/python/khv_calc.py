@@ -183,8 +183,8 @@ class Client:
         """Designs of a project file, asked again: name, answer, and the kept results that moved by
         more than 1e-6, each before and after.
 
-        `file` is the text of a file that the page saved. Designs of the first form keep no request and are left out:
-        the page reads them. `Refused` is raised as by `ask`.
+        `file` is the text of a file that the page saved. Designs of the first form keep no request
+        and are left out: the page reads them. `Refused` is raised as by `ask`.
         """
         project = _object(file)
         if project.get("format") != "khv-calc designs":
