@@ -78,9 +78,10 @@ node: compiled
 	@tests/tools.sh node nodejs
 	@! command -v node >/dev/null || node --test tests/static/all.mjs
 
-office: .venv/run  ## build the solids of examples with build123d and read their STEP files
+office: .venv/run  ## solids and drawings of examples by build123d and LibreCAD; pictures in build/office
 	$(HASHED) requirements/cad.txt
 	PYTHONPATH=. $(BIN)/python -m tests.office.solids
+	PYTHONPATH=. $(BIN)/python -m tests.office.drawings build/office
 
 accuracy: .venv/test  ## check stated errors and hard cases; writes docs/accuracy.md, docs/numerics.md
 	PYTHONPATH=. $(BIN)/python -m benchmarks.stability

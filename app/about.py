@@ -22,7 +22,7 @@ from app.examples import EXAMPLES
 from app.model import Calculation, Maybe, ResponseModel, present
 from app.problems import KINDS, RESPONSES, TEXTS
 from app.record import root_path
-from app.registry import CALCULATIONS, NEGLECTED
+from app.registry import CALCULATIONS, EXPORTS, NEGLECTED
 from app.sources import ISO_286
 from app.units import api_value, from_si, to_si
 from core.bearings import BEARINGS, NamedBearing, Ratings
@@ -361,10 +361,21 @@ class CalculationOut(ResponseModel):
         )
 
 
+class ExportOut(ResponseModel):
+    """Files of a design."""
+
+    name: str = Field(description="Path of the endpoint after `/api/v1/`.")
+    title: str = Field(description="Name for users.")
+    installed: bool = Field(
+        description="True if the service answers them; otherwise it lacks the extra that they need."
+    )
+
+
 class CalculationList(ResponseModel):
-    """All calculations."""
+    """All calculations and files."""
 
     calculations: list[CalculationOut]
+    exports: list[ExportOut]
 
 
 class ProblemKind(ResponseModel):
@@ -545,8 +556,16 @@ async def problem_kind(kind: str) -> ProblemKind:
 
 @router.get("/calculations", operation_id="calculations", response_model_exclude_none=True)
 async def calculations() -> CalculationList:
-    """Calculations of the service: names, paths, sources, and effects that models leave out."""
-    return CalculationList(calculations=[CalculationOut.of(each) for each in CALCULATIONS.values()])
+    """Calculations of the service: names, paths, sources, effects that models leave out; files of
+    a design that it answers.
+    """
+    return CalculationList(
+        calculations=[CalculationOut.of(each) for each in CALCULATIONS.values()],
+        exports=[
+            ExportOut(name=each.name, title=each.title, installed=each.installed)
+            for each in EXPORTS.values()
+        ],
+    )
 
 
 @router.get("/materials", operation_id="materials", response_model_exclude_none=True)

@@ -36,6 +36,7 @@ from app.problems import (
     REFUSED,
     RESPONSES,
     Problem,
+    not_installed,
     problem_of,
     refusal,
     refuse_for,
@@ -186,9 +187,14 @@ def route_of_files(export: Export) -> type[APIRoute]:
     async def handle(request: Request) -> Response:
         record = at_hand.get() or Record()
         sent = await received(request, record, record.settings.max_body_bytes)
+        if not export.installed:
+            raise not_installed(export)
         asked = export.name, sent, record.settings
+        limit_s = record.settings.max_study_seconds if export.extra else None
         async with wanted(request):
-            file = await in_process(request.app.state.jobs, _written, *asked, record=record)
+            file = await in_process(
+                request.app.state.jobs, _written, *asked, record=record, limit_s=limit_s
+            )
         named = {"content-disposition": f'attachment; filename="{file.name}"'}
         return answer(file.content, record, file.media_type, **named)
 

@@ -17,4 +17,7 @@ EXAMPLES: list[dict[str, Any]] = _DATA["examples"]
 """Ready requests in the order of the page, which opens with the first one of a calculation."""
 
 REQUESTS: dict[str, dict[str, Any]] = _DATA["requests"]
+REQUESTS |= {
+    f"export/{kind}": {"design": REQUESTS["export/dxf"]["design"]} for kind in ("build123d", "step")
+}
 """One request for each endpoint, for the API's description; the chart endpoint takes it too."""

@@ -29,6 +29,7 @@ def main(number: str, *modules: str) -> None:
     while descriptors := socket.recv_fds(owner, 1, 1)[1]:
         with socket.socket(fileno=descriptors[0]) as pipe:
             if os.fork() == 0:
+                os.setpgid(0, 0)  # what a job starts ends with it
                 owner.close()
                 signal.signal(signal.SIGCHLD, signal.SIG_DFL)
                 serve(pipe)
@@ -53,11 +54,13 @@ def serve(pipe: socket.socket) -> None:
 
 
 def _end_with(pipe: socket.socket) -> None:
-    """End this process once the other end of the pipe is closed, even within a job."""
+    """End this process and what it started once the other end of the pipe is closed, even within a
+    job.
+    """
     hang_up = select.poll()
     hang_up.register(pipe, 0)  # an event mask of 0 still reports a closed pipe
     hang_up.poll()
-    os._exit(1)
+    os.killpg(0, signal.SIGKILL)
 
 
 if __name__ == "__main__":

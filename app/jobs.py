@@ -313,7 +313,7 @@ class _Child:
     def kill(self) -> None:
         with suppress(OSError):  # the process may have ended itself
             if self.pid and not self.gone():
-                os.kill(self.pid, signal.SIGKILL)
+                os.killpg(self.pid, signal.SIGKILL)
             self.socket.shutdown(socket.SHUT_RDWR)
 
     def end(self) -> None:

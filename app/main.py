@@ -30,7 +30,7 @@ from app.examples import REQUESTS
 from app.jobs import Jobs
 from app.middleware import Requests
 from app.model import Calculation, Export, StudyCalculation
-from app.problems import REFUSED, RESPONSES, refused, unavailable
+from app.problems import LACKING, REFUSED, RESPONSES, refused, unavailable
 from app.registry import CALCULATIONS, EXPORTS
 from app.settings import Settings, current
 
@@ -110,7 +110,7 @@ def add_export(app: FastAPI, export: Export) -> None:
         summary=export.title,
         response_class=Response,
         response_model=None,
-        responses=RESPONSES | {200: answered},
+        responses=RESPONSES | {200: answered} | (LACKING if export.extra else {}),
         openapi_extra={"requestBody": {"content": {JSON: {"example": REQUESTS[export.name]}}}},
         route_class_override=route_of_files(export),
     )

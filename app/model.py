@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, partial, reduce
+from importlib.util import find_spec
 from itertools import chain
 from operator import or_
 from types import NoneType
@@ -685,6 +686,14 @@ class Export:
     request: type["RequestModel"]  # model of the request
     write: Callable[[Any], File]  # module function: file of a request
     media_types: tuple[str, ...]  # media types of the files
+    extra: str = ""  # extra of the installation that they need; they take as long as a study then
+    module: str = ""  # module that the extra brings
+    instead: str = ""  # name of the export that needs no extra
+
+    @property
+    def installed(self) -> bool:
+        """True if the service has the extra that the files need."""
+        return not self.module or find_spec(self.module) is not None
 
 
 class _Plan(NamedTuple):

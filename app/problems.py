@@ -15,7 +15,7 @@ from pydantic_core import ErrorDetails
 from starlette.exceptions import HTTPException
 
 from app.jobs import Busy, CannotRun, Stopped, TooLong
-from app.model import REPLACED, UNION_TAGS, Maybe, RequestModel, pointer, present
+from app.model import REPLACED, UNION_TAGS, Export, Maybe, RequestModel, pointer, present
 from app.record import root_path
 from app.units import IN_MILLIMETRES, api_params, api_value, refusal_params, sentence
 from core.codes import REFUSALS, WAS
@@ -51,6 +51,8 @@ OF_REQUESTS = {
     "needed_for": "is needed for {section}",
     "needed_to_draw": "is needed: what is not known is not drawn",
     "no_methods": "has one method only, within {relative_error:.0e}: there is nothing to compare",
+    "not_installed": "needs the extra `{extra}`, which is not installed here; {instead} answers "
+    "the script that writes the file",
     "no_such_part": "is none of the parts that are drawn: {parts}",
     "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
     "not_this_cycloid": "must be {expected}, one more than the satellite has: discs of other "
@@ -96,6 +98,11 @@ KINDS = {
         "The path is there, but not for this method; `Allow` names those it has.",
     ),
     "not-found": (404, "There is nothing at this path; the API's description lists all."),
+    "not-installed": (
+        501,
+        "The service lacks the extra that the files need; `errors` names it, and the path that "
+        "answers without it.",
+    ),
     "request-timeout": (
         408,
         "The body did not arrive whole in the time that the service waits.",
@@ -115,14 +122,23 @@ KINDS = {
 }
 """Kinds of problems, as in the address of their `type`, with HTTP status and meaning."""
 
-RESPONSES: dict[int | str, dict[str, Any]] = {
-    status: {
-        "description": " ".join(meaning for each, meaning in KINDS.values() if each == status),
-        "content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/ProblemOut"}}},
+
+def _responses(*statuses: int) -> dict[int | str, dict[str, Any]]:
+    """Refusals with these statuses, as the API's description shows them."""
+    return {
+        status: {
+            "description": " ".join(meaning for each, meaning in KINDS.values() if each == status),
+            "content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/ProblemOut"}}},
+        }
+        for status in statuses
     }
-    for status in (413, 415, 422, 503)
-}
-"""Refusals of every calculation, as the API's description shows them."""
+
+
+RESPONSES = _responses(413, 415, 422, 503)
+"""Refusals of every calculation."""
+
+LACKING = _responses(501)
+"""Refusal of files that need an extra."""
 
 _PARAMS = {
     "greater_than": "gt",
@@ -295,6 +311,13 @@ def too_large(limit: int) -> Problem:
 def too_long(limit_s: float) -> Problem:
     """Problem of a calculation that takes too long, now and later."""
     return Problem("too-long", f"The calculation was not done within {limit_s:g} s")
+
+
+def not_installed(export: Export) -> Problem:
+    """Problem of files that need an extra which the service lacks."""
+    said = {"extra": export.extra, "instead": f"/{export.instead}"}
+    error = wrong("", "not_installed", **said)
+    return Problem("not-installed", f"{export.title}: {error.detail}", [error])
 
 
 def http_problem(error: HTTPException) -> Problem:

@@ -26,13 +26,15 @@ class CalculationFailed(Exception):
     """Internal error in a process; the text is the traceback from there."""
 
 
-async def in_process(jobs: Jobs, job: Job, *args: Any, record: Record) -> Any:
-    """Result of a job with one part, in a process, within the allowed time.
+async def in_process(
+    jobs: Jobs, job: Job, *args: Any, record: Record, limit_s: float | None = None
+) -> Any:
+    """Result of a job with one part, in a process, within a time, that of a calculation by default.
 
     A process that is stopped from outside is replaced once. Raises the job's own `Problem`, or the
     exceptions of `Jobs.run`.
     """
-    limit_s = record.settings.max_seconds
+    limit_s = limit_s or record.settings.max_seconds
     ask = partial(in_parts, jobs, job, *args, record=record, limit_s=limit_s)
     try:
         (told,) = [part async for part in ask()]

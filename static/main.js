@@ -140,7 +140,7 @@ async function share() {
 
 /** What a calculator needs to be at work. */
 async function partsOf(id) {
-  const [calculator, [openapi, { examples }, lists, { calculations }]] = await Promise.all([calculatorOf(id), described()]);
+  const [calculator, [openapi, { examples }, lists, { calculations, exports }]] = await Promise.all([calculatorOf(id), described()]);
   return {
     calculator,
     modelOf: () => formModel(openapi, {
@@ -153,6 +153,7 @@ async function partsOf(id) {
     catalogues: Object.fromEntries(Object.entries(calculator.catalogues ?? {}).map(([path, name]) => [path, lists[name]])),
     calculation: calculations.find(({ name }) => `/${name}` === calculator.path),
     calculations,
+    exports: exports.filter(({ installed }) => installed).map(({ name }) => `/${name}`),
     version: openapi.info.version,
   };
 }

@@ -60,7 +60,7 @@ function lightEachOther(form, drawing) {
  * empty one is, `on.named(title, usual, why)` what it is called, `on.address(query)`, `on.history(canUndo, canRedo)`, `on.whole()` that all of the page is there, `on.say(text)` and `on.tell(text)`, which all see,
  * tell the page around it.
  */
-export function openWorkbench({ host, calculator, model, modelFor, client, examples, catalogues, designs, version, calculation, calculations, typed, claim, history, lengths, on }) {
+export function openWorkbench({ host, calculator, model, modelFor, client, examples, catalogues, designs, version, calculation, calculations, exports, typed, claim, history, lengths, on }) {
   const named = (wanted) => [...model.fields.values()].filter((field) => Boolean(field.wanted) === wanted).map(({ name, title }) => [name, title]);
   const titles = new Map([
     ...named(true), ...Object.entries(message("quantity")), ...named(false),
@@ -371,9 +371,9 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       calculator: calculator.id,
       ...store.state.shown,
       answer: next.answerNow(store.state),
-      files: [sheetOf(store.state.shown), ...calculator.files?.(store.state.shown, store.state.turn.angle ?? 0) ?? []].map(({ id, path, titled, body }) => ({
-        id, make: () => client.file(path, titled ? { ...body, title_block: titleBlock() } : body),
-      })),
+      files: [sheetOf(store.state.shown), ...calculator.files?.(store.state.shown, store.state.turn.angle ?? 0) ?? []]
+        .filter(({ path }) => exports.includes(path))
+        .map(({ id, path, titled, body }) => ({ id, make: () => client.file(path, titled ? { ...body, title_block: titleBlock() } : body) })),
       refused: (problem) => problemText(problem, titles),
     },
     /** Stop; what was typed last is told even where it has not been asked about yet. */

@@ -6,4 +6,6 @@ drawn       what the requests of files have in common
 sheets      what stands on the drawing of each part
 dxf         drawings of all parts as files
 build123d   all parts as solids, by a script
+step        the same as a STEP file, by that script
+xlsx        any calculation as a spreadsheet
 """

@@ -575,6 +575,7 @@ export default {
     dxf_shaft: "Crankshaft, DXF",
     dxf_housing: "Housing, DXF",
     build123d: "Solids, script for STEP",
+    step: "Solids, STEP",
     copy: "Copy",
     copyWhat: "Copy: {what}",
     copied: "Copied",

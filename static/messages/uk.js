@@ -574,6 +574,7 @@ export default {
     dxf_shaft: "Колінчастий вал, DXF",
     dxf_housing: "Корпус, DXF",
     build123d: "Тіла, скрипт для STEP",
+    step: "Тіла, STEP",
     copy: "Копіювати",
     copyWhat: "Копіювати: {what}",
     copied: "Скопійовано",
@@ -1159,6 +1160,7 @@ export default {
       no_class_of_size: "відомо лише для діаметрів до {limit_mm}",
       no_such_bearing: "не є назвою підшипника таблиці, таких як {near}; замість назви можна задати розміри й вантажопідйомності",
       no_methods: "має лише один метод, з похибкою не більше {relative_error}: порівнювати нема з чим",
+      not_installed: "потребує доповнення `{extra}`, якого тут не встановлено; {instead} дає скрипт, що записує цей файл",
       no_such_part: "не з тих деталей, які креслять: {parts}",
     },
     places: {

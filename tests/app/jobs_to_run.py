@@ -25,6 +25,15 @@ def counts(tell, last):
         tell(number)
 
 
+def starts_another(tell):
+    """Tell the number of a process that does not end by itself, and wait for it."""
+    if (other := os.fork()) == 0:
+        time.sleep(600)
+        os._exit(0)
+    tell(other)
+    os.waitpid(other, 0)
+
+
 def wait_at(gate: Path) -> None:
     """Until as many may pass a gate as have come to it: `tests.app.conftest.Gate`."""
     with gate.open("a") as came:

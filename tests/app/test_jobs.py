@@ -5,6 +5,7 @@ import gc
 import os
 import random
 import signal
+import socket
 import sys
 from collections import Counter
 from pathlib import Path
@@ -125,6 +126,29 @@ async def test_clients_take_turns_and_none_takes_all_the_room(gate):
     assert done[:6] == [(1, 0), (1, 1), (2, 0), (3, 0), (1, 2), (2, 1)]
     assert done[6:] == [(1, 3), (1, 4), (1, 5)]
     assert not jobs._waiting
+
+
+@pytest.mark.parametrize("end", ["too_long", "left", "closed"])
+async def test_what_a_job_has_started_ends_with_it(clock, end):
+    """If its time is over, its client has left, or its owner has gone."""
+    told = []
+    async with Jobs(processes=1, waiting=1, preload=PRELOAD) as jobs:
+        asked = asyncio.create_task(all_of(jobs, jobs_to_run.starts_another, limit_s=1, told=told))
+        await until(lambda: told)
+        assert lives(told[0])
+        if end == "too_long":
+            clock.run_out()
+            with pytest.raises(TooLong):
+                await asked
+        elif end == "left":
+            asked.cancel()
+        else:
+            for child in jobs._children:  # as if this process had died
+                child.pid = 0
+                child.socket.shutdown(socket.SHUT_RDWR)
+            with pytest.raises(Stopped):
+                await asked
+        await until(lambda: not lives(told[0]))
 
 
 async def test_what_takes_too_long_ends_and_what_it_had_done_is_kept(started, clock):

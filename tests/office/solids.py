@@ -16,6 +16,7 @@ from build123d import GeomType, export_step, import_step
 from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.examples import EXAMPLES
 from app.exports.build123d import SolidsRequest, write
+from app.exports.step import write as step_file
 from core.design.drawings import drawn_satellites
 from core.design.mass import mass
 
@@ -43,6 +44,14 @@ def module_of(script, folder):
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+def read_step(content):
+    """Solids of a STEP file that the service answers."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "answered.step")
+        path.write_bytes(content)
+        return import_step(path)
 
 
 def check_volumes(parts, design):
@@ -97,6 +106,9 @@ def main():
             taken = time.process_time() - begun
             read = import_step(step)
             size = step.stat().st_size
+        answered = read_step(step_file(SolidsRequest(design=body)).content)
+        assert len(answered.solids()) == len(read.solids())
+        assert math.isclose(answered.volume, read.volume, rel_tol=1e-12)
         parts = list(reducer.children)
         print(f"{name}: {len(parts)} solids, {taken:.1f} s, {size / 1e6:.1f} MB")
         assert len(read.solids()) == len(parts)

@@ -400,7 +400,7 @@ test("discs are drawn of which all is known, each with its own crank", async () 
     drawing("dxf", { crank_angle_deg: 40 }),
     drawing("dxf_assembly", { parts: ["assembly"], crank_angle_deg: 40 }),
     ...["carrier", "shaft", "housing"].map((part) => drawing(`dxf_${part}`, { parts: [part] })),
-    { id: "build123d", path: "/export/build123d", body: { design } },
+    ...["build123d", "step"].map((id) => ({ id, path: `/export/${id}`, body: { design } })),
   ]);
   assert.deepEqual(design.gear, { ...cycloid, modification });
   assert.equal(design.include, undefined);

@@ -352,7 +352,7 @@ export default {
       { id: "dxf", ...drawn, body: { design, crank_angle_deg: angle } },
       { id: "dxf_assembly", ...drawn, body: { design, parts: ["assembly"], crank_angle_deg: angle } },
       ...["carrier", "shaft", "housing"].map((part) => ({ id: `dxf_${part}`, ...drawn, body: { design, parts: [part] } })),
-      { id: "build123d", path: "/export/build123d", body: { design } },
+      ...["build123d", "step"].map((id) => ({ id, path: `/export/${id}`, body: { design } })),
     ];
   },
 
