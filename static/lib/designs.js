@@ -27,6 +27,9 @@ export function movedOf(before = {}, after = {}) {
     .map((name) => [name, before[name], after[name]]);
 }
 
+/** A design as it is kept now: in the first form its verdict stood alone. */
+const formed = ({ verdict, ...one }) => ({ results: { verdict }, ...one });
+
 /** A, B, … and then A2, B2, …: the first that is free. */
 function freeName(taken) {
   for (let round = 1; ; round += 1) {
@@ -55,7 +58,7 @@ export function createDesigns(storage) {
     if (found === text) return designs;
     text = found;
     const all = parsed(text, []);
-    designs = Array.isArray(all) ? all.filter(isDesign).map((one) => ({ id: `${one.calculator} ${one.name}`, ...one })) : [];
+    designs = Array.isArray(all) ? all.filter(isDesign).map((one) => ({ id: `${one.calculator} ${one.name}`, ...formed(one) })) : [];
     return designs;
   }
 
@@ -93,8 +96,8 @@ export function createDesigns(storage) {
     imported(file) {
       const { format, v, designs: found } = parsed(file, {});
       if (format !== FORMAT || ![1, 2].includes(v) || !Array.isArray(found)) return null;
-      const added = found.filter(isDesign);
-      for (const { name, calculator, input, labels, verdict, results = { verdict }, path, body } of added) add(calculator, input, name, { labels, results, path, body });
+      const added = found.filter(isDesign).map(formed);
+      for (const { name, calculator, input, labels, results, path, body } of added) add(calculator, input, name, { labels, results, path, body });
       return added.length;
     },
   };

@@ -375,7 +375,7 @@ def test_a_verdict_that_has_moved_is_said(page: Page, service: str) -> None:
     page.get_by_role("button", name="Compare").click()
     page.evaluate(
         "() => { const kept = JSON.parse(localStorage['khv-calc.designs']);"
-        " kept[0].verdict = 'fail';"
+        " kept[0].results.verdict = 'fail';"
         " localStorage['khv-calc.designs'] = JSON.stringify(kept); }"
     )
     page.goto(link)

@@ -62,7 +62,7 @@ def to(page: Page, path: str) -> None:
     pytest.fail(f"no way to {path}")
 
 
-def test_teeth_are_typed_by_keyboard_to_a_green_word(page: Page, service: str) -> None:
+def test_teeth_are_typed_by_keyboard_to_a_verdict(page: Page, service: str) -> None:
     opened(page, service)
     teeth = ("gear.", "teeth.", "requirements.max_ring", "verdict")
     query = parse_qsl(urlsplit(address(page)).query)
@@ -85,7 +85,7 @@ def test_teeth_are_typed_by_keyboard_to_a_green_word(page: Page, service: str) -
     page.keyboard.press("Space")
     to(page, "gear.friction_coefficient")
     page.keyboard.type("0.06")
-    expect(word(page)).to_contain_text("Works")
+    expect(word(page)).to_contain_text("Just works")
     settled(page)
     figure = page.locator('[data-figure="teeth"]')
     expect(figure.locator(".plot .main-svg").first).to_be_attached()
