@@ -31,7 +31,7 @@ export function createRest({ store, inputs, outputs, panels, client, designs, ve
     model,
     calculator,
     on: {
-      open: ({ input, labels, verdict }) => on.opened(input, labels, { verdict }),
+      open: ({ input, labels, results }) => on.opened(input, labels, { verdict: results.verdict }),
       rename(design, name) {
         designs.rename(design, name);
         on.compared();
