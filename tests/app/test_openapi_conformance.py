@@ -178,6 +178,8 @@ def test_the_service_does_what_its_description_says(case):
     response = case.call()
     if response.status_code == 503 and response.json()["type"] == "/problems/too-long":
         return  # fixes of 423 rollers and the like: when the time is over hangs on the machine
+    if response.status_code == 501 and case.path.endswith("/export/step"):
+        return  # the extra is not installed
     case.validate_response(response)
     described = case.meta.generation.mode.is_positive and isinstance(case.body, dict)
     if response.status_code != 422 or not described:  # 0 stands for a body that was not found

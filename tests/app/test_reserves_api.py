@@ -293,7 +293,8 @@ async def test_of_two_limits_of_a_pressure_the_lower_one_governs(api, torque):
     """The disc's material has the lower limit, so that it fails first as the torque grows."""
     body = next(each["input"] for each in EXAMPLES if each["id"] == "cycloid")
     load = body["load"] | {"output_torque_Nm": torque}
-    answer = await api.answer("crank-planetary", body | {"load": load, "include": ["checks"]})
+    exact = {"tolerances": {"ring_pin_position_mm": 0.0}, "include": ["checks"]}
+    answer = await api.answer("crank-planetary", body | {"load": load} | exact)
     by_code = {each["code"]: each for each in answer["checks"]}
     disc, pin = (by_code[f"ring_pressure_{body}"] for body in ("disc", "pin"))
     assert disc["utilisation"] > pin["utilisation"]

@@ -150,7 +150,8 @@ async def test_utilisations_are_those_of_posted_designs(
             used = checks[side["governing"]]["utilisation"]
             assert side["result"] == pytest.approx(used, rel=SEARCHED)
             assert side["change"] == pytest.approx(side["result"] - answer["result"], abs=EXACT)
-            judged = (each.get("utilisation", 0.0) for each in checks.values())
+            hard = (each for code, each in checks.items() if code != "ring_pieces")  # which warns
+            judged = (each.get("utilisation", 0.0) for each in hard)
             assert used == pytest.approx(max(judged), rel=SEARCHED)
 
 

@@ -7,6 +7,7 @@ import os
 import re
 import shutil
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 import httpx
@@ -283,7 +284,8 @@ async def test_every_example_of_the_description_works_as_it_stands(api):
         if "post" in methods:
             example = methods["post"]["requestBody"]["content"]["application/json"]["example"]
             response = await api.post(SITE + path, json=example)
-            assert response.status_code == 200, (path, response.text)
+            solids = path.endswith("/export/step") and not find_spec("build123d")
+            assert response.status_code == (501 if solids else 200), (path, response.text)
             asked += 1
     assert asked >= 18
 

@@ -920,8 +920,11 @@ FOLLOWS = {
     "contact.fit": "contact.hole_radius",
     "crankshaft.bearings.dynamic_rating": "crankshaft.bearings",
     "crankshaft.bearings.name": "crankshaft.bearings",
+    "shaft_sections.diameter": "shaft_sections",
 }
-"""What moves with an input that a fix changes: the hole with its pin, a bearing with its rating."""
+"""What moves with an input that a fix changes: the hole with its pin, a bearing with its rating, a
+shaft with its stretches.
+"""
 
 
 def rating_of(code: str) -> str:

@@ -16,6 +16,7 @@ from core.design.document import Design
 from core.design.results import Results
 from core.design.ring import CycloidRing, OtherRing
 from core.design.sections import PART_NAMES, RollingBearing, SeatedBearing
+from core.design.tolerances import ToleranceSection
 from core.hertz import ContactLimit, ElasticMaterial
 from core.material_table import MATERIALS
 from core.precision import EXACT, SAME
@@ -50,6 +51,7 @@ SOUND = having(
     crankshaft=SHAFT,
     min_efficiency=0.5,
     satellite_body=replace(REF.satellite_body, root_radius=0.09, bore_radius=0.0325),
+    tolerances=ToleranceSection(ring_pin_position=0.0),
 )
 """All of its parts hold."""
 UNMODIFIED = having(SOUND, gear=replace(SOUND.gear, modification=None))  # type: ignore[type-var]
