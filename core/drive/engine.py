@@ -141,6 +141,13 @@ FITS, BINDS, NOWHERE = 2, 1, 0
 CLASS = 1e-11
 """Unbalance over the largest force before the last step, which leaves its square."""
 
+ROUGH = 1e-5
+"""Estimate of that unbalance above which contacts follow the step in second order and are not
+measured anew."""
+
+FOLLOWED = 20
+"""Number of steps after which contacts are measured at each."""
+
 STILL = 128 * 2.0**-52
 """Step over the largest displacement that is rounding; tiny torques allow no smaller step."""
 
@@ -152,6 +159,15 @@ REACH = 5e-6
 """Longest first step, m; later steps grow up to `FURTHEST` times as long."""
 
 FURTHEST = 50.0
+
+AHEAD = 1.0
+"""Longest way between two positions, rad, over which displacements are extrapolated."""
+
+ROAM = 8e-6
+"""Sum of steps, m, after which contacts that were farther open than `FAR` are looked at again."""
+
+FAR = 1.5 * ROAM
+
 STEPS_MOST = 400
 
 HERTZ_END = 1.2
@@ -317,11 +333,13 @@ def line(d: float, a: float, b: float, curved: float) -> tuple[float, float]:
     if m <= HERTZ_END - math.log(HERTZ_END):
         return d / (HERTZ_END * b), 1 / (HERTZ_END * b)
     log = math.log(m)
-    y = m + log + log / m + log * (1 - log / 2) / (m * m)
+    y = m + log + (log + (log * (1 - log / 2) + log * (1 - log * (1.5 - log / 3)) / m) / m) / m
     for _ in range(8):
-        step = (y - math.log(y) - m) * y / (y - 1)
+        off, slope = y - math.log(y) - m, 1 - 1 / y
+        step = off * slope / (slope * slope - off / (2 * y * y))
         y -= step
-        if step * step <= 1e-16 * y * y * (y - 1):  # the next step is half of it over y*(y - 1)
+        # The next step is a third of its cube over ``y*(y - 1)^2``.
+        if abs(step * step * step) <= 1e-14 * y * y * (y - 1) * (y - 1):
             break
     return d / (b * y), 1 / (b * (y - 1))
 
@@ -345,18 +363,6 @@ def power(d: float, a: float, b: float, n: float) -> tuple[float, float]:
     return f, k / (1 + b * k)
 
 
-def law(i: int, g: int, near: float, drive: Drive, w: Table) -> tuple[float, float]:
-    """Force and stiffness of a contact at its approach > 0; ``near`` is a force nearby, or 0."""
-    kind, d, a, b = drive.gi[g, LAW], w[i, DELTA], drive.cf[i, A], drive.cf[i, B]
-    if kind == LINEAR:
-        return d / a, 1 / a
-    if kind == HERTZ:
-        return line(d, a, b, w[i, BENT] if drive.gi[g, KIND] > PIN else 1.0)
-    if kind == POWER:
-        return power(d, a, b, drive.gf[g, EXPONENT])
-    return wrapped(d, a, b, near, drive.table)
-
-
 def turned(t: float) -> tuple[float, float]:
     """Real and imaginary part of ``exp(-i*t) - 1``."""
     if abs(t) < 0.03:
@@ -368,7 +374,7 @@ def turned(t: float) -> tuple[float, float]:
 
 
 def place(phi: float, drive: Drive, work: Work) -> None:
-    """Set angles, gaps, levers and laws of all contacts at a crank angle, rad."""
+    """Set angles, gaps and levers of all contacts at a crank angle, rad."""
     gi, gf, cf, w = drive.gi, drive.gf, drive.cf, work.w
     for g in range(len(gi)):
         angle = gf[g, RATE] * phi + gf[g, PHASE]
@@ -385,29 +391,48 @@ def place(phi: float, drive: Drive, work: Work) -> None:
 
 
 def place_lobe(i: int, g: int, drive: Drive, w: Table) -> None:
-    """Set slope, gap, lever, curvature and law of a lobe on its pin, for perfect parts."""
-    gf, cf, ca, sa = drive.gf, drive.cf, w[i, CA], w[i, SA]
-    z, tool = gf[g, LOBES] - 1, gf[g, TOOL_R]
-    less = sa * sa / (1 + ca) if ca > 0 else 1 - ca
-    k = gf[g, BASE_E] * gf[g, LOBES] / gf[g, CIRCLE]
-    slope = math.sqrt((1 - k) * (1 - k) + 2 * k * less)
-    w[i, LEVER] = -gf[g, BASE_E] * z * sa / slope
+    """Set slope, gap and lever of a lobe on its pin, for perfect parts."""
+    gf, sa, exact = drive.gf, w[i, SA], drive.gi[g, EXACT] != 0
+    z, k = gf[g, LOBES], gf[g, BASE_E] * gf[g, LOBES] / gf[g, CIRCLE]
+    slope = steepness(k, i, w)
+    w[i, LEVER] = -gf[g, BASE_E] * (z - 1) * sa / slope
     w[i, SLIDE] = abs(gf[g, CIRCLE] * slope - gf[g, RADIUS])
-    w[i, OPEN] = cf[i, GAP] - gf[g, ROTATION] * abs(w[i, LEVER])
-    if drive.gi[g, EXACT] == 0:
-        w[i, SLOPE] = slope
-    k = gf[g, BASE_E] * gf[g, LOBES] / tool
-    slope = math.sqrt((1 - k) * (1 - k) + 2 * k * less)
-    if drive.gi[g, EXACT] != 0:
-        w[i, SLOPE] = slope
-    bend = (1 - k) * (1 - gf[g, LOBES] * k) + (gf[g, LOBES] + 1) * k * less
+    w[i, OPEN] = w[i, OPEN] - gf[g, ROTATION] * abs(w[i, LEVER])
+    w[i, SLOPE] = steepness(gf[g, BASE_E] * z / gf[g, TOOL_R], i, w) if exact else slope
+
+
+def steepness(k: float, i: int, w: Table) -> float:
+    """Slope of the path of eccentricity k over its circle and number of pins, at a lobe's pin."""
+    ca, sa = w[i, CA], w[i, SA]
+    less = sa * sa / (1 + ca) if ca > 0 else 1 - ca
+    return math.sqrt((1 - k) * (1 - k) + 2 * k * less)
+
+
+def bend_lobe(i: int, g: int, drive: Drive, w: Table) -> None:
+    """Set curvature and law of a lobe on its pin, for perfect parts."""
+    gf, cf, pins, tool = drive.gf, drive.cf, drive.gf[g, LOBES], drive.gf[g, TOOL_R]
+    k = gf[g, BASE_E] * pins / tool
+    slope = steepness(k, i, w)
+    bend = (1 - k) * (1 - pins * k) + (pins + 1) * (slope * slope - (1 - k) * (1 - k)) / 2
     bend /= tool * slope * slope * slope
-    curved = 1 / cf[i, RAD] + bend / (1 - gf[g, TOOL] * bend)
     # A pin wider than its valley does not touch there: its contact counts as flat.
-    curved = max(curved, EPS / cf[i, RAD])
-    w[i, BENT] = curved
+    w[i, BENT] = max(1 / cf[i, RAD] + bend / (1 - gf[g, TOOL] * bend), EPS / cf[i, RAD])
     if drive.gi[g, LAW] == HERTZ:
-        w[i, MOST] = cf[i, LIMIT] * curved
+        w[i, MOST] = cf[i, LIMIT] * w[i, BENT]
+
+
+def law(i: int, g: int, near: float, drive: Drive, w: Table) -> tuple[float, float]:
+    """Force and stiffness of a contact at its approach > 0; ``near`` is a force nearby, or 0."""
+    kind, d, a, b = drive.gi[g, LAW], w[i, DELTA], drive.cf[i, A], drive.cf[i, B]
+    if drive.gi[g, KIND] > PIN and w[i, BENT] == 0:
+        bend_lobe(i, g, drive, w)
+    if kind == LINEAR:
+        return d / a, 1 / a
+    if kind == HERTZ:
+        return line(d, a, b, w[i, BENT] if drive.gi[g, KIND] > PIN else 1.0)
+    if kind == POWER:
+        return power(d, a, b, drive.gf[g, EXPONENT])
+    return wrapped(d, a, b, near, drive.table)
 
 
 def moved(index: int, q: Row) -> float:
@@ -498,7 +523,7 @@ def foot_of(i: int, g: int, drive: Drive, w: Table) -> None:
     bx, by, px, py = w[i, AX], w[i, AY], w[i, HX], w[i, HY]
     e, radius, pins, k = gf[g, BASE_E], gf[g, TOOL_R], gf[g, LOBES], gf[g, SHORT]
     second = drive.gi[g, KIND] == FLANK
-    longest, close = FAR_STEP / pins, 3e-8 / pins
+    longest, close = FAR_STEP / pins, 3e-6 / pins
     off = 4 * math.sqrt(bx * bx + by * by)
     final = off / radius / (1 - k)
     first, foot = -final, w[i, FOOT]
@@ -576,10 +601,12 @@ def slopes(i: int, g: int, drive: Drive, work: Work) -> tuple[float, float]:
     return 0.0, -(nx * hx + ny * hy)
 
 
-def press(i: int, g: int, f: float, k: float, drive: Drive, work: Work) -> None:
-    """Add force f and stiffness k of a contact to the balance and its derivatives."""
+def press(i: int, g: int, drive: Drive, work: Work) -> None:
+    """Add force and stiffness of a contact to the balance and its derivatives."""
     gi, w, grad, side = drive.gi, work.w, work.grad, work.side
     by_turn, by_own = slopes(i, g, drive, work)
+    f, k = law(i, g, w[i, FORCE], drive, w)
+    w[i, FORCE], w[i, STIFF] = f, k
     bow, block, curved = f * w[i, BOW], drive.ci[i, BLOCK], gi[g, KIND] > PIN
     curved = curved and gi[g, EXACT] != 0
     for s in range(4):
@@ -649,19 +676,61 @@ def springs(torque: float, drive: Drive, work: Work) -> None:
             work.rb[m, i] = r
 
 
-def assemble(torque: float, drive: Drive, work: Work) -> None:
-    """Set balance, derivatives and contact forces at the displacements q and b."""
+def change(i: int, g: int, of: Row, drive: Drive, work: Work) -> float:
+    """Change by the step of what has derivatives ``of`` by a contact's displacements."""
+    gi, found, block = drive.gi, 0.0, drive.ci[i, BLOCK]
+    for s in range(4):
+        if gi[g, TURN + s] >= 0:
+            found += of[s] * work.p[gi[g, TURN + s]]
+    if block >= 0:
+        at = 2 * drive.ci[i, PLANE]
+        found += of[4] * work.pb[block, at] + of[5] * work.pb[block, at + 1]
+    return found
+
+
+def spun(i: int, x: int, y: int, angle: float, w: Table) -> None:
+    """Turn a vector of a contact by a small angle."""
+    w[i, x], w[i, y] = w[i, x] - angle * w[i, y], w[i, y] + angle * w[i, x]
+
+
+def follow(i: int, g: int, part: float, drive: Drive, work: Work) -> None:
+    """Move approach, normal and arms of a contact along a part of the step, in second order."""
+    gi, w, side = drive.gi, work.w, work.side
+    by_turn, by_own = slopes(i, g, drive, work)
+    w[i, DELTA] += part * change(i, g, work.grad[i], drive, work)
+    if gi[g, EXACT] == 0:
+        return
+    across, bow = part * change(i, g, side, drive, work), w[i, BOW]
+    turn, own = part * moved(gi[g, TURN], work.p), part * moved(gi[g, OWN], work.p)
+    w[i, DELTA] += (bow * across * across + by_turn * turn * turn + by_own * own * own) / 2
+    spun(i, NX, NY, bow * across, w)
+    if gi[g, KIND] > PIN:
+        w[i, DELTA] -= (across - side[1] * own) * own
+        spun(i, HX, HY, own, w)
+        spun(i, UX, UY, own, w)
+    else:
+        spun(i, HX, HY, -own, w)
+        spun(i, AX, AY, -turn, w)
+
+
+def assemble(torque: float, near: bool, part: float, drive: Drive, work: Work) -> None:
+    """Set balance, derivatives and contact forces at q and b, if ``near`` without contacts that
+    were farther open than `FAR`. Contacts follow a part of the step; 0 measures them anew.
+    """
     gi, w = drive.gi, work.w
     springs(torque, drive, work)
     for g in range(len(gi)):
         for i in range(gi[g, START], gi[g, STOP]):
-            touch(i, g, work.q, work.b, drive, w)
-            if w[i, DELTA] <= TINY:
-                w[i, FORCE] = w[i, STIFF] = 0.0
+            if near and w[i, DELTA] < -FAR and gi[g, KIND] != FLANK:
                 continue
-            f, k = law(i, g, w[i, FORCE], drive, w)
-            w[i, FORCE], w[i, STIFF] = f, k
-            press(i, g, f, k, drive, work)
+            if part != 0:
+                follow(i, g, part, drive, work)
+            else:
+                touch(i, g, work.q, work.b, drive, w)
+            if w[i, DELTA] > TINY:
+                press(i, g, drive, work)
+                continue
+            w[i, FORCE] = w[i, STIFF] = 0.0
 
 
 def factor(m: Table) -> bool:
@@ -785,18 +854,6 @@ def along_step(work: Work) -> float:
     return found
 
 
-def change(i: int, g: int, drive: Drive, work: Work) -> float:
-    """Change of a contact's approach by the step, in first order, m."""
-    gi, found, block = drive.gi, 0.0, drive.ci[i, BLOCK]
-    for s in range(4):
-        if gi[g, TURN + s] >= 0:
-            found += work.grad[i, s] * work.p[gi[g, TURN + s]]
-    if block >= 0:
-        at = 2 * drive.ci[i, PLANE]
-        found += work.grad[i, 4] * work.pb[block, at] + work.grad[i, 5] * work.pb[block, at + 1]
-    return found
-
-
 def left_over(damp: float, step: float, drive: Drive, work: Work) -> float:
     """Estimate of the unbalance after the step, in second order, over the largest force."""
     gi, w, top, rest = drive.gi, work.w, 0.0, 0.0
@@ -809,7 +866,7 @@ def left_over(damp: float, step: float, drive: Drive, work: Work) -> float:
                 if d >= -2 * step and step > 1e-13:
                     return math.inf
                 continue
-            x = change(i, g, drive, work)
+            x = change(i, g, work.grad[i], drive, work)
             k, top = w[i, STIFF], max(top, f)
             if x > -0.5 * d:
                 rest = max(rest, (abs(k * d - f) + 1e-3 * f) * (x / d) * (x / d))
@@ -827,14 +884,14 @@ def settled(slope: float, work: Work) -> bool:
 
 
 def length_of(drive: Drive, work: Work) -> float:
-    """Largest change of a displacement by the step, m."""
-    step = 0.0
+    """Sum of the changes of displacements by the step, m: no gap changes by half more."""
+    step = bend = 0.0
     for i in range(len(work.q)):
-        step = max(step, abs(work.p[i]) * math.sqrt(drive.weight[i]))
+        step += abs(work.p[i]) * math.sqrt(drive.weight[i])
     for m in range(work.b.shape[0]):
         for i in range(work.b.shape[1]):
-            step = max(step, abs(work.pb[m, i]))
-    return step
+            bend = max(bend, abs(work.pb[m, i]))
+    return step + 2 * bend
 
 
 def far_off(drive: Drive, work: Work) -> float:
@@ -865,11 +922,11 @@ def held(drive: Drive, work: Work) -> None:
             work.hgg[i, i] += FAINT * most * drive.weight[i]
 
 
-def last_step(torque: float, drive: Drive, work: Work) -> None:
+def last_step(torque: float, near: bool, drive: Drive, work: Work) -> None:
     """Take the last step of Newton, and one more along which forces change linearly."""
     gi, w = drive.gi, work.w
     go(1.0, work)
-    assemble(torque, drive, work)
+    assemble(torque, near, 0.0, drive, work)
     held(drive, work)
     if not direction(0.0, drive, work) or length_of(drive, work) > REACH:
         return
@@ -877,39 +934,48 @@ def last_step(torque: float, drive: Drive, work: Work) -> None:
     for g in range(len(gi)):
         for i in range(gi[g, START], gi[g, STOP]):
             if w[i, FORCE] > 0:
-                x = change(i, g, drive, work)
+                x = change(i, g, work.grad[i], drive, work)
                 w[i, FORCE] = max(w[i, FORCE] + w[i, STIFF] * x, 0.0)
 
 
 def solve(torque: float, drive: Drive, work: Work) -> int:
     """Solve the equilibrium near q and b in place; return the steps taken, negative on failure."""
-    gone = damp = slope = step = 0.0
+    gone = damp = slope = step = part = roamed = 0.0  # part: of the step that contacts follow
     cap, cuts = REACH, 0
     for count in range(1, STEPS_MOST):
-        assemble(torque, drive, work)
+        if part == 0 and roamed > ROAM:
+            roamed = 0.0
+        assemble(torque, roamed > 0, part, drive, work)
         if gone > 0:
             after = along_step(work)
             if slope < 0 and after > -0.9 * slope and cuts < 40:
-                part = gone * min(max(slope / (slope - after), 0.1), 0.6)
-                go(part - gone, work)
-                gone, cuts = part, cuts + 1
+                shorter = gone * min(max(slope / (slope - after), 0.1), 0.6)
+                part = shorter - gone if part != 0 else 0.0
+                go(shorter - gone, work)
+                gone, cuts = shorter, cuts + 1
                 continue
             cap = min(4 * cap, REACH * FURTHEST) if gone * step >= 0.99 * cap else cap
             gone, cuts = 0.0, 0
         if not direction(damp, drive, work):
-            damp = max(100 * damp, LEAST_DAMP)
+            damp, part = max(100 * damp, LEAST_DAMP), 0.0
             if damp > 1e14:
                 return -count
             continue
         slope, step = along_step(work), length_of(drive, work)
-        near = step < REACH and left_over(damp, step, drive, work) <= CLASS
+        rest = left_over(damp, step, drive, work) if step < REACH else math.inf
         still = step <= STILL * far_off(drive, work) or (step < REACH and settled(slope, work))
-        if near or (damp < LIGHT and still):
-            last_step(torque, drive, work)
+        if part == 0 and (rest <= CLASS or (damp < LIGHT and still)):
+            last_step(torque, roamed + step <= ROAM, drive, work)
             return count
         damp = damp * 0.01 if damp > LIGHT else 0.0
         gone = min(1.0, cap / step) if step > 0 else 1.0
         go(gone, work)
+        roamed += gone * step
+        following = rest > ROUGH and not still and roamed <= ROAM and count < FOLLOWED
+        if part != 0 and not following:  # slopes of contacts that followed tell nothing of others
+            part = gone = 0.0
+        else:
+            part = gone if following else 0.0
     return -STEPS_MOST
 
 
@@ -1638,7 +1704,7 @@ def positions(
     for m in range(len(places)):
         if m > 1:
             ahead, wide = places[m] - places[m - 1], places[m - 1] - places[m - 2]
-            if 0 < abs(ahead) <= 2 * abs(wide):
+            if 0 < abs(ahead) <= min(2 * abs(wide), AHEAD):
                 for i in range(len(work.q)):
                     work.q[i] += ahead / wide * (lags[m - 1, i] - lags[m - 2, i])
                 bend_on(ahead / wide, work)
