@@ -1,10 +1,10 @@
 /**
- * The page's texts by key, with `{name}` put in, in the language in use; under `service` what the service
+ * The page's texts by key, from a file for each language that the service's reports read too, with `{name}` put in, in the language in use; under `service` what the service
  * says, by kind and code. What a language has no words of is said in English, as the service itself says it.
  */
 import { formatNumber, setNumerals } from "../lib/format.js";
 import { setUnitNames } from "../lib/units.js";
-import en from "./en.js";
+import en from "./en.json" with { type: "json" };
 
 /** The languages by their own names; a new one is its own file here and a word below. */
 export const LANGUAGES = { en: "English", uk: "Українська", ru: "Русский" };
@@ -16,7 +16,7 @@ let plural = new Intl.PluralRules("en");
 
 /** Read the texts of a language. */
 export async function useLanguage(language) {
-  texts = language === "en" ? en : (await import(`./${language}.js`)).default;
+  texts = language === "en" ? en : (await import(`./${language}.json`, { with: { type: "json" } })).default;
   plural = new Intl.PluralRules(language);
   setNumerals(texts.page);
   setUnitNames(texts.unit);

@@ -165,7 +165,7 @@ test("the direction of the torque goes with ideal forces too, to every section t
 test("no two forces have one name: the ideal ones, the real ones, those with the factor, in every language", async () => {
   const names = ["peak_force_N", "peak_force_ratio", "peak_crank_angle_deg", "peak_pair", "max_pressure_MPa"];
   for (const language of Object.keys(LANGUAGES)) {
-    const { default: { quantity } } = await import(`../../static/messages/${language}.js`);
+    const { default: { quantity } } = await import(`../../static/messages/${language}.json`, { with: { type: "json" } });
     const title = (section, name) => quantity[`${section}.${name}`] ?? quantity[name];
     for (const name of names) assert.notEqual(title("load_sharing", name), title("contact_force", name), `${language}: ${name}`);
     const peaks = ["contact_force", "load_sharing", "pin_strength", "output_efficiency"].map((section) => title(section, "peak_force_N"));

@@ -6,7 +6,7 @@ import { CALCULATORS, calculatorOf } from "../../static/calculators/index.js";
 import { formatNumber, formatQuantity, inNumerals, parseNumber } from "../../static/lib/format.js";
 import { formModel } from "../../static/lib/schema_form.js";
 import { setUnits } from "../../static/lib/units.js";
-import en from "../../static/messages/en.js";
+import en from "../../static/messages/en.json" with { type: "json" };
 import { fieldWords, LANGUAGES, message, said, useLanguage } from "../../static/messages/index.js";
 import { figureText } from "../../static/service_texts.js";
 import { english, openapi } from "./service.mjs";
@@ -16,7 +16,7 @@ const { symbols, ...spoken } = english;
 afterEach(() => useLanguage("en"));
 
 const OTHERS = Object.keys(LANGUAGES).filter((language) => language !== "en");
-const textsOf = async (language) => (await import(`../../static/messages/${language}.js`)).default;
+const textsOf = async (language) => (await import(`../../static/messages/${language}.json`, { with: { type: "json" } })).default;
 
 // Where languages differ by nature: names of their units.
 const OWN = ["unit"];
@@ -39,7 +39,7 @@ const places = (text) => (text.match(/\{\w+\}/g) ?? []).sort().join();
 
 test("every language has its file and every file its language", () => {
   const files = readdirSync(new URL("../../static/messages", import.meta.url));
-  assert.deepEqual(files.sort(), [...Object.keys(LANGUAGES), "index"].map((name) => `${name}.js`).sort());
+  assert.deepEqual(files.sort(), [...Object.keys(LANGUAGES).map((name) => `${name}.json`), "index.js"].sort());
 });
 
 test("a book stands under its own name wherever it is named", async () => {

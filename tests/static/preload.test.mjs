@@ -14,7 +14,7 @@ const HEAD = textOf("/static/index.html");
 function graph(path, found = new Set()) {
   if (found.has(path)) return found;
   found.add(path);
-  for (const [, name] of textOf(path).matchAll(/^(?:import|export|\}) ?[^"';]*?(?:from )?"(\.[^"]+)";/gm)) {
+  for (const [, name] of textOf(path).matchAll(/^(?:import|export|\}) ?[^"';]*?(?:from )?"(\.[^"]+)"(?: with [^;]*)?;/gm)) {
     graph(new URL(name, `http://x${path}`).pathname, found);
   }
   return found;
