@@ -11,6 +11,7 @@ from fastapi.responses import Response
 from pydantic import FailFast, Field, StringConstraints
 from pydantic_core import from_json, to_json
 
+from app.content import encoded
 from app.endpoint import (
     JSON,
     LINES,
@@ -18,7 +19,6 @@ from app.endpoint import (
     admitted,
     answered,
     by_lines,
-    encoded,
     read_body,
     received,
     take_place,

@@ -5,12 +5,11 @@ the bytes and orjson writes them, which takes half the time of FastAPI's own way
 """
 
 import time
-from collections.abc import AsyncIterator, Callable, Coroutine, Iterator
+from collections.abc import AsyncIterator, Callable, Coroutine
 from contextlib import aclosing
 from functools import cache, partial
 from typing import Any, TypeVar, get_args
 
-import numpy as np
 import orjson
 from fastapi import Request, Response
 from fastapi.middleware.gzip import GZipMiddleware
@@ -20,6 +19,7 @@ from pydantic import BaseModel, Field, TypeAdapter, ValidationError
 from starlette.requests import ClientDisconnect
 from starlette.types import Receive, Scope, Send
 
+from app.content import encoded
 from app.middleware import PART_BYTES
 from app.model import (
     Calculation,
@@ -49,7 +49,7 @@ from app.record import Record, at_hand
 from app.registry import CALCULATIONS, EXPORTS
 from app.settings import Settings
 from app.theme import Theme, with_words
-from core.errors import CalculationError, ImpossibleMechanism
+from core.errors import CalculationError
 
 JSON = "application/json"
 LINES = "application/x-ndjson"
@@ -331,30 +331,3 @@ def _theme(request: Request) -> str:
     if theme not in get_args(Theme):
         raise refusal("/query/theme", "literal_error", expected="'light' or 'dark'")
     return theme
-
-
-def encoded(values: Any) -> bytes:
-    """Values of an answer as JSON, without absent values but in columns named by pointers. Raises
-    ImpossibleMechanism if a number is not finite, as the input exceeded the range of doubles.
-    """
-    content = orjson.dumps(
-        values,
-        option=orjson.OPT_SERIALIZE_NUMPY,
-        default=np.ndarray.tolist,  # for arrays that are not contiguous
-    )
-    # Only numbers that are not finite are written as null.
-    if b"null" in content and (names := dict.fromkeys(_nulls(orjson.loads(content), ""))):
-        raise ImpossibleMechanism("overflow", names=", ".join(names))
-    return content
-
-
-def _nulls(values: Any, name: str) -> Iterator[str]:
-    """Names of values that are null."""
-    if values is None:
-        yield name
-    elif isinstance(values, dict):
-        for inner, value in values.items():
-            yield from _nulls(value, inner)
-    elif isinstance(values, list) and not name.startswith("/"):
-        for value in values:
-            yield from _nulls(value, name)

@@ -2,7 +2,8 @@
 calculation in the names of its request.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field, fields, replace
 from typing import Annotated, Any, NoReturn, Self, cast
 
@@ -253,6 +254,8 @@ class Problem(Exception):
     def beneath(self, place: str) -> "Problem":
         """Problem of a request that is nested at a pointer of another one."""
         errors = [replace(each, pointer=place + each.pointer) for each in self.errors]
+        if self.kind != "invalid-input":
+            return replace(self, errors=errors)
         return invalid_input(errors, self.more)
 
     def response(self) -> Response:
@@ -422,6 +425,18 @@ def refuse_for(body: RequestModel, error: CalculationError) -> NoReturn:
     if isinstance(error, ImpossibleMechanism) and error.parameter:
         raise impossible(error, pointer(body.path_of(error.parameter))) from error
     raise error
+
+
+@contextmanager
+def nested(place: str, body: RequestModel) -> Iterator[None]:
+    """Refuse a request that is nested at a pointer of another one by the other one's fields."""
+    try:
+        try:
+            yield
+        except CalculationError as error:
+            refuse_for(body, error)
+    except Problem as error:
+        raise error.beneath(place) from error
 
 
 def named(error: InvalidInput, body: RequestModel) -> Problem:

@@ -141,7 +141,8 @@ def widest_union() -> tuple[int, str]:
 
 def asked(request: dict[str, Any]) -> Callable[[], bytes]:
     """Function that answers a request of the whole reducer, from bytes to bytes."""
-    from app.endpoint import answered, encoded, read_body
+    from app.content import encoded
+    from app.endpoint import answered, read_body
     from app.registry import CALCULATIONS
     from app.settings import Settings
 

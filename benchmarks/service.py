@@ -37,7 +37,7 @@ from app.calculations.cyclogram import CyclogramRequest
 from app.calculations.hertz import HertzRequest, HertzResponse
 from app.calculations.ideal_forces import ContactForceResponse, CyclogramResponse
 from app.calculations.roller_strength import RollerStrengthRequest, RollerStrengthResponse
-from app.endpoint import encoded
+from app.content import encoded
 from app.examples import REQUESTS
 from app.main import NO_TELEMETRY, create_app
 from app.model import RequestModel, ResponseModel

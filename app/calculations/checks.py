@@ -334,10 +334,11 @@ def usual_values(body: Any, verdict: Verdict) -> dict[tuple[str, ...], float | s
     """Assumed values by which checks of a reducer are judged, by paths of fields."""
     found: dict[tuple[str, ...], float | str] = {}
     decided = [each for each in verdict.checks if each.status in ("pass", "marginal", "fail")]
+    assumed = body.design.usual
     for check, name in ((each, name) for each in decided for name in each.kind.inputs):
         path = body.path_of(name)
         parent = value_in(body, path[:-1])
-        usual = body.design.usual | {"requirements.static_safety": check.limit}
+        usual = assumed | {"requirements.static_safety": check.limit}
         if not path or (parent is None and name not in usual):
             continue
         if parent is not None and path[-1] in parent.model_fields_set:

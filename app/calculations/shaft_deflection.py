@@ -90,10 +90,10 @@ class LineContactFields(RequestModel, group="line_contact"):
 _GEAR = ("roller_radius_mm", "roller_circle_radius_mm")
 """Inputs of the gear that a fix may change."""
 
-_PLAIN = ("shaft_diameter_mm", "overhang_mm", "bearing_distance_mm")
+_ONE_DIAMETER = ("shaft_diameter_mm", "overhang_mm", "bearing_distance_mm")
 """Inputs of a shaft of one diameter that a fix may change."""
 
-_of = "shaft_sections[{}].diameter".format
+_diameter = "shaft_sections[{}].diameter".format
 """Core name of the diameter of a stretch of a stepped shaft, by its number."""
 
 _OF_SHAFT = ("bearing_distance", "overhang", "youngs_modulus")
@@ -279,11 +279,13 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         def checks(changed: dict[str, Any]) -> Verdict:
             fields = {
                 name: from_si(name, changed[core_name(name)])
-                for name in (*_GEAR, *_PLAIN)
+                for name in (*_GEAR, *_ONE_DIAMETER)
                 if core_name(name) in changed
             }
             sections = [
-                each.model_copy(update={"diameter_mm": from_si("diameter_mm", changed[_of(index)])})
+                each.model_copy(
+                    update={"diameter_mm": from_si("diameter_mm", changed[_diameter(index)])}
+                )
                 for index, each in enumerate(self.shaft_sections or ())
             ]
             body = self.model_copy(update=fields | {"shaft_sections": sections or None})
@@ -305,10 +307,10 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         """Inputs that a fix may change, SI, by core names; of a stepped shaft the diameters, as its
         lengths add up.
         """
-        names = _GEAR if self.shaft_sections else (*_GEAR, *_PLAIN)
+        names = _GEAR if self.shaft_sections else (*_GEAR, *_ONE_DIAMETER)
         found = {core_name(name): to_si(name, getattr(self, name)) for name in names}
         for index, each in enumerate(self.shaft_sections or ()):
-            found[_of(index)] = to_si("diameter_mm", each.diameter_mm)
+            found[_diameter(index)] = to_si("diameter_mm", each.diameter_mm)
         return found
 
     def solve_diagram(self) -> tuple[ShaftDeflection, ShaftDiagram]:

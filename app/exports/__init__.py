@@ -6,6 +6,6 @@ drawn       what the requests of files have in common
 sheets      what stands on the drawing of each part
 dxf         drawings of all parts as files
 build123d   all parts as solids, by a script
-step        the same as a STEP file, by that script
+step        all parts as a STEP file, by the script of build123d
 xlsx        any calculation as a spreadsheet
 """

@@ -7,9 +7,9 @@ from pydantic import Field, model_validator
 
 from app import VERSION
 from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
-from app.calculations.document import DocumentFields, Needs
+from app.calculations.document import Needs
 from app.model import RequestModel, pointer
-from app.problems import Problem, refusal
+from app.problems import nested, refusal
 from app.rules import field_error
 from app.settings import Settings
 from core.design.diameters import Sizes
@@ -25,9 +25,8 @@ MOST_CIRCLES = 1000
 
 
 class DrawnDesign(CrankPlanetaryRequest):
-    """Request of `/crank-planetary`, which needs only what is drawn, and takes tolerances."""
+    """Request of `/crank-planetary`, which needs only what is drawn."""
 
-    USES: ClassVar[frozenset[str]] = frozenset(DocumentFields.model_fields)
     NEEDS: ClassVar[Needs] = ()
     NEEDED_OF: ClassVar[dict[str, Needs]] = {}
 
@@ -57,10 +56,8 @@ class DrawnRequest(RequestModel, group="drawing"):
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse inputs that the design's own request refuses, and too many circles."""
-        try:
+        with nested("/design", self.design):
             self.design.refuse_beyond(settings)
-        except Problem as error:
-            raise error.beneath("/design") from error
         own = self.design.mechanism
         if own.pairs > MOST_CIRCLES:
             raise InvalidInput("pins", own.pins, "too_many_pairs", **own.most_pins(MOST_CIRCLES))

@@ -16,9 +16,10 @@ from pydantic import Field, TypeAdapter, ValidationError
 
 from app.calculations.sweep import CALCULATION as SWEEP
 from app.calculations.varied import JUDGED, VARIED, refused
+from app.content import encoded
 from app.exports.drawn import MADE_BY
 from app.model import Export, File, RequestModel, Values
-from app.problems import Problem
+from app.problems import nested
 from app.settings import Settings
 from app.units import PLAIN, UNITS, shown_unit, suffix
 from core.worked.words import NOTES, SOURCES
@@ -48,9 +49,8 @@ LEAST_ROWS = 8
 CURVES_DRAWN = 12
 """Largest number of curves in a chart."""
 
-PLAIN_LISTS = orjson.OPT_SERIALIZE_NUMPY
-
 HEADS = ("Section", "Name", "Quantity", "Symbol", "Unit", "Value")
+"""Heads of the columns of quantities."""
 
 VALUE = "F"
 """Column of values."""
@@ -83,11 +83,15 @@ class SheetRequest(RequestModel):
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse what the calculation refuses by its fields."""
-        asked = self.asked
-        try:
-            asked.refuse_beyond(settings)
-        except Problem as error:
-            raise refused(error) from error
+        with nested("/input", self.asked):
+            self.asked.refuse_beyond(settings)
+
+    @property
+    def answer(self) -> Values:
+        """Answer of the calculation, as it is sent; a problem if the calculation refuses it."""
+        calculation = CALCULATIONS[self.calculation]
+        with nested("/input", self.asked):
+            return dict(orjson.loads(encoded(calculation.answered(self.asked))))
 
 
 class Row(NamedTuple):
@@ -121,8 +125,7 @@ class Schema:
         if isinstance(value, dict):
             if path and _curve(value):
                 return
-            deep = lambda each: isinstance(each[1], (dict, list))  # noqa: E731
-            for name, each in sorted(value.items(), key=deep):
+            for name, each in sorted(value.items(), key=_deep):
                 yield from self.rows(each, self._within(said, name), (*path, name))
         elif isinstance(value, list) and any(isinstance(each, list) for each in value):
             return  # points of a drawing
@@ -153,6 +156,10 @@ class Schema:
         return {}
 
 
+def _deep(item: tuple[str, Any]) -> bool:
+    return isinstance(item[1], (dict, list))
+
+
 def _curve(value: Mapping[str, Any]) -> dict[str, list[Any]]:
     """Columns of a table of curves, angles first; empty for other values."""
     columns = dict[str, list[Any]]()
@@ -173,7 +180,7 @@ def _curves(value: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[str, dict[
     if not isinstance(value, dict):
         return
     if found := _curve(value):
-        yield path[0] if path else "curves", found
+        yield " ".join(each for each in path if each != "curves") or "curves", found
     for name, each in value.items():
         if name not in APART:
             yield from _curves(each, (*path, name))
@@ -263,7 +270,7 @@ class Book:
         known = 0
         for place, step in enumerate(self.answer["worked"], 1):
             row, result, code = place + 1, step["result"], step["code"]
-            text = step.get("formula") or NOTES[step["method"]].format_map(_Params(step))
+            text = step.get("formula") or NOTES[step["method"]].format_map(step.get("params", {}))
             sheet.write_row(place, 0, [step["section"], code, step["symbol"], text])
             where = dict[str, str]()
             for symbol, name in step["names"].items() if "formula" in step else ():
@@ -304,16 +311,6 @@ class Book:
         sheet.insert_chart(1, len(columns) + 1, chart)
 
 
-class _Params(dict[str, Any]):
-    """Values of a step in its words; a name that is not known stays."""
-
-    def __init__(self, step: Values) -> None:
-        super().__init__(step.get("params", {}))
-
-    def __missing__(self, name: str) -> str:
-        return f"{{{name}}}"
-
-
 def _key(name: str, value: float) -> tuple[str, str]:
     """Name and value by which a number is found again, despite rounding of its unit."""
     return name, f"{value:.12g}"
@@ -333,6 +330,7 @@ SIGNS: dict[type[ast.AST], str] = {
     ast.Pow: "^",
     ast.USub: "-",
 }
+"""Signs of a spreadsheet by nodes of a formula."""
 
 
 def excel(formula: str, cells: Mapping[str, str]) -> str:
@@ -367,8 +365,7 @@ def write(body: SheetRequest) -> File:
     import xlsxwriter  # slow import, needed for files only
 
     calculation = CALCULATIONS[body.calculation]
-    answer = orjson.loads(orjson.dumps(calculation.answered(body.asked), option=PLAIN_LISTS))
-    content = io.BytesIO()
+    answer, content = body.answer, io.BytesIO()
     plain = {"strings_to_formulas": False, "strings_to_urls": False, "strings_to_numbers": False}
     with xlsxwriter.Workbook(content, {"in_memory": True, **plain}) as book:
         book.set_properties({"title": calculation.title, "comments": MADE_BY, "created": MADE})

@@ -318,15 +318,19 @@ def _judged(kind: Kind, pressed: Pressed, limit: float, **more: Any) -> Check:
     return kind.judged(limit=limit, **{"reserve": reserve, **pressed._asdict(), **more})
 
 
+def _ring_limit(design: Design, body: RingBody) -> dict[str, Any]:
+    """Limit of a material that has one, and whence it is."""
+    material = design.lasting_teeth.get(body)
+    limit = material and material.limit
+    if not limit:
+        return {}
+    allowed = float(limit.allowable) / design.requirements.pitting_safety
+    return {"limit": allowed, "life_factor": limit.life_factor, **_whence(limit)}
+
+
 def _ring_pressure(body: RingBody) -> Kind:
     def limits(design: Design, results: Results) -> dict[str, Any]:
-        """Limit of a material that has one, and whence it is."""
-        material = design.lasting_teeth.get(body)
-        limit = material and material.limit
-        if not limit:
-            return {}
-        allowed = float(limit.allowable) / design.requirements.pitting_safety
-        return {"limit": allowed, "life_factor": limit.life_factor, **_whence(limit)}
+        return _ring_limit(design, body)
 
     @IN_RING[body].check(
         "pressure",
@@ -338,12 +342,12 @@ def _ring_pressure(body: RingBody) -> Kind:
     def pressure(kind: Kind, design: Design, results: Results) -> Check:
         pressed, path = _pressed(results, static=False), design.teeth_path(body)
         limit = _limit_of(design.lasting_teeth[body], path, value=pressed.value, at=pressed.at)
-        return _over_life(_judged(kind, pressed, **limits(design, results)), limit)
+        return _over_life(_judged(kind, pressed, **_ring_limit(design, body)), limit)
 
     return pressure
 
 
-@Element(*_TEETH, keep="below", not_of=not_cycloid)(
+@Element(*_TEETH, not_of=not_cycloid)(
     "ring_pieces",
     title="Ring pin that stands out",
     unit="MPa",
@@ -359,14 +363,10 @@ def ring_pieces(kind: Kind, design: Design, results: Results) -> Check:
     if design.deviations and design.deviations.of_ring:
         return Check(kind, "not_applicable", reason="pins_placed")
     pressure = results.ring.pressure_on_high_pin
-    limits = [
+    for body in IN_RING:
         _limit_of(design.lasting_teeth[body], design.teeth_path(body), value=pressure)
-        for body in IN_RING
-    ]
-    limit = min(limits, key=lambda each: float(each.allowable))
-    allowed = float(limit.allowable) / design.requirements.pitting_safety
-    whence: dict[str, Any] = {**_whence(limit)}
-    return kind.judged(pressure, allowed, warning="pin_stands_out", **whence)
+    least = min((_ring_limit(design, body) for body in IN_RING), key=lambda each: each["limit"])
+    return kind.judged(pressure, warning="pin_stands_out", **least)
 
 
 def _ring_static(body: RingBody) -> Kind:

@@ -9,7 +9,7 @@ from typing import Any
 from core.checks.check import Check, Verdict
 from core.fixes.fix import WHOLE, Cure, Fix, NoFix, fix_of, in_order
 
-bare = partial(sub, r"\[\d+\]", "")
+_plain_name = partial(sub, r"\[\d+\]", "")
 """Name of an input of one of several equal parts, without its number."""
 
 
@@ -27,7 +27,7 @@ def plain_fixes(
     fixes = []
     for code in codes:
         named = current[code].kind.fixes
-        for variable in (each for name in named for each in design if bare(each) == name):
+        for variable in (each for name in named for each in design if _plain_name(each) == name):
             before = design[variable]
             if not before or (variable == "rollers" and "gaps" in design):
                 continue

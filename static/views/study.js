@@ -43,7 +43,7 @@ function rankedMarkup(title, rows) {
 }
 
 export function createView({ id, logic, asking, open, titles }) {
-  const root = element(html`<div class="study"><p class="state">${message("study.idleYet")}</p><button type="button" class="primary" data-do="begin">${message("study.run")}</button><div class="outcome"></div></div>`);
+  const root = element(html`<div class="study"><p class="state" tabindex="-1">${message("study.idleYet")}</p><button type="button" class="primary" data-do="begin">${message("study.run")}</button><div class="outcome"></div></div>`);
   const run = createRun({
     run: message("study.run"), stop: message("study.stop"), running: message("study.running"), idle: message("study.idleYet"),
     on: {
@@ -96,7 +96,9 @@ export function createView({ id, logic, asking, open, titles }) {
         stopped: message("besides.stopped"), refused: refusal?.text, failed: refusal?.text,
       }[phase] ?? (answer ? "" : message("study.idleYet"));
       see.hidden = !answer || running;
+      const held = document.activeElement === here; // a button that is hidden would lose it
       here.hidden = Boolean(answer) || running;
+      if (held && here.hidden) line.focus();
       const text = [words, older && message("besides.older")].filter(Boolean).join(" ");
       run.update(now, text, message(answer && !older ? "study.again" : "study.run"));
       line.textContent = text;

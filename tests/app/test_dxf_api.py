@@ -127,22 +127,26 @@ def centre(drawing):
     return complex(said(drawing, "centre_x_mm"), said(drawing, "centre_y_mm"))
 
 
+def gaps_mm(design, angle):
+    """Smallest gap of each satellite to the ring's pins as the mesh is calculated, mm."""
+    mesh = design.gear.cycloid_mesh(
+        disc=design.gear.disc(satellite_teeth=11, eccentricity=2.5e-3),
+        crank_angles=design.built.crank_angles,
+        contact_length=design.ring_length,
+        disc_material=design.disc_material,
+        law=LinearLaw(1e8),
+    )
+    return 1e3 * np.array(mesh_gaps(mesh=mesh, crank_angle=math.radians(angle)))
+
+
 @pytest.mark.parametrize("start", [0.0, 25.0, 180.0])
 def test_each_ring_pin_is_as_far_from_the_outline_as_the_gap_says(start):
     """Satellites put back to their centres stand in the ring as the mesh is calculated."""
     design = changed(UNEVEN, "/mechanism/initial_crank_angle_deg", start)
     body, drawn = files(design, chord_error_mm=0.002)
-    made = body.design.design
     pins, radii = circles(drawn["ring_pins"], "PINS")
     assert radii == [5.0] * 12
-    mesh = made.gear.cycloid_mesh(
-        disc=made.gear.disc(satellite_teeth=11, eccentricity=2.5e-3),
-        crank_angles=made.built.crank_angles,
-        contact_length=made.ring_length,
-        disc_material=made.disc_material,
-        law=LinearLaw(1e8),
-    )
-    gaps = 1e3 * np.array(mesh_gaps(mesh=mesh, crank_angle=0.0))
+    gaps = gaps_mm(body.design.design, angle=0.0)
     assert np.ptp(gaps) > 0.01  # those of a tooth aside differ by more than the error
     for gap, name in zip(gaps, ALL[:3], strict=True):
         drawing = drawn[name]
@@ -511,15 +515,7 @@ async def test_the_assembly_is_that_of_the_crank_angle(api, angle):
     assert drilled == pytest.approx(holes.ravel(), abs=1e-9)
     assert radii == pytest.approx([6.5] * 15, abs=1e-9)
 
-    made = body.design.design
-    mesh = made.gear.cycloid_mesh(
-        disc=made.gear.disc(satellite_teeth=11, eccentricity=2.5e-3),
-        crank_angles=made.built.crank_angles,
-        contact_length=made.ring_length,
-        disc_material=made.disc_material,
-        law=LinearLaw(1e8),
-    )
-    gaps = 1e3 * np.array(mesh_gaps(mesh=mesh, crank_angle=math.radians(angle)))
+    gaps = gaps_mm(body.design.design, angle)
     discs = [points for points, _ in polylines(drawing) if len(points) > 100]
     for gap, disc in zip(gaps, discs, strict=True):
         assert distance(ring, disc) - 5.0 == pytest.approx(gap, abs=0.002 + 1e-9)

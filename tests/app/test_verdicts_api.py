@@ -477,7 +477,7 @@ EXAMPLE_VERDICTS = {
     # 446.0 of 412.3 to 484.9 MPa: by the real forces; without clearance 347.0
     "clearance": ("incomplete", "marginal"),
     "whole": ("incomplete", "pass"),  # as the tutorial's, with materials of the table
-    "cycloid": ("marginal", "pass"),  # all of its parts; a ring pin that stands out is one too many
+    "cycloid": ("marginal", "pass"),  # all of its parts; marginal by a ring pin that stands out
     "involute": ("pass", "pass"),  # all of its parts
     "ring-output": ("incomplete", "pass"),  # the same at 21/20 of the torque
     "printed-15-to-1": ("incomplete", "open"),  # no limit of a plastic
