@@ -78,8 +78,12 @@ node: compiled
 	@tests/tools.sh node nodejs
 	@! command -v node >/dev/null || node --test tests/static/all.mjs
 
-office: .venv/run  ## solids and drawings of examples by build123d and LibreCAD; pictures in build/office
+office: .venv/test compiled  ## files of examples by build123d, LibreCAD, LibreOffice; pictures in build/office
 	$(HASHED) requirements/cad.txt
+	@tests/tools.sh soffice libreoffice-calc-nogui
+	@tests/tools.sh librecad librecad
+	@tests/tools.sh pdftoppm poppler-utils
+	PYTHONPATH=. $(BIN)/python -m tests.office.sheets
 	PYTHONPATH=. $(BIN)/python -m tests.office.solids
 	PYTHONPATH=. $(BIN)/python -m tests.office.drawings build/office
 
