@@ -7,7 +7,7 @@ import { createAsking } from "./asking.js";
 import { partRow } from "./lib/checks.js";
 import { MOST, resultsOf } from "./lib/designs.js";
 import { element, html } from "./lib/html.js";
-import { cellAt, shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/form_state.js";
+import { cellAt, lostOf, shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/form_state.js";
 import { entryOf, optionsOf } from "./lib/schema_form.js";
 import { lasting, parsed } from "./lib/storage.js";
 import { LABELS, query, withVerdict } from "./lib/url_state.js";
@@ -110,7 +110,12 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     if (count) asking.compare();
     if (kept) take(stateOf(kept.input, kept.labels), { verdict: kept.results?.verdict });
     const ours = !count && Object.keys(body).some((name) => [...model.fields.keys()].some((path) => path.split(".")[0] === name));
-    if (ours) take(stateOf(calculator.inputOf?.(body) ?? body));
+    if (ours) {
+      const { include, ...input } = calculator.inputOf?.(body) ?? body;
+      take(stateOf(input));
+      const lost = lostOf(model, input);
+      if (lost.length > 0) on.tell(message("compare.lost", { what: lost.join(", ") }));
+    }
     return Boolean(link || count || ours);
   }
   const form = createForm({

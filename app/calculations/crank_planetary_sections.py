@@ -584,9 +584,8 @@ def _notices(body: CrankPlanetaryRequest) -> tuple[Notice, ...]:
     results, found = body.results, notices_of(if_known(lambda: body.design.pin_fit))
     if body.contact is not None:
         found += body.contact.material_notices()
-    if results.in_series:
-        found += (Notice("both_meshes"),)
-    elif forces := results.forces_in_series:
+    forces = results.forces_in_series
+    if forces and not results.in_series:
         found += (Notice("meshes_apart", {"forces": forces, "limit": MOST_IN_SERIES}),)
     if body.judges or "hertz" in body.sections:
         found += notices_of(if_known(lambda: results.disc_of(results.hertz)))

@@ -204,16 +204,6 @@ OF_RESULTS = {
         why="A turned flank says nothing of the tips and roots between two flanks.",
         mend="Use equidistant and pin circle offsets, whose outline is known.",
     ),
-    "both_meshes": limit(
-        "The mesh with the ring and that with the pins are in series: each disc finds its place "
-        "between both, and forces, play and stiffness are those of both, on bearings of the "
-        "cranks that give where these are stated, else on rigid ones.",
-        title="Both meshes in series",
-        tests="Each mesh is solved by itself.",
-        why="A disc turns in its ring until the pins take as much of it as the teeth give: neither "
-        "mesh holds the other's half of it still.",
-        mend="State another coupling of the satellites to see either mesh by itself.",
-    ),
     "meshes_apart": limit(
         "The mesh with the ring and that with the pins are solved each by itself: in series they "
         "have {forces:d} forces over the turns, more than {limit:d}.",

@@ -88,6 +88,8 @@ UNKNOWN = {
     "solid_wall_unknown": "How thick the solid wall of the holes is, is not given: perimeters "
     "times line width",
     "temperature_unknown": "The temperature of the part is not given",
+    "both_meshes": "Each disc finds its place between both meshes: forces, play and stiffness are "
+    "those of both, on bearings of the cranks that give where these are stated, else on rigid ones",
     "no_bush": "The pv is that of a bush: a bare pin touches its wider hole along a narrow strip",
     "members_locked": "The members turn as one: nothing rolls or slides",
     "no_involute": "No involute teeth are given",

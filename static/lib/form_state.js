@@ -99,6 +99,16 @@ export function stateFromInput(model, input) {
   return { texts, chosen };
 }
 
+/** Paths of what an input says and the form has no field for. */
+export function lostOf(model, input) {
+  const known = (path) => [...model.fields.keys()].some((own) => own === path || own.startsWith(`${path}.`));
+  const within = (value, path) => (typeof value === "object" && value !== null && !Array.isArray(value)
+    ? Object.entries(value).flatMap(([name, one]) => within(one, path ? `${path}.${name}` : name))
+    : value === undefined || known(path) ? [] : [path]);
+  const { besides, ...own } = input;
+  return within({ ...own, ...besides }, "");
+}
+
 const isSwitchedOn = (model, id, texts) => texts[`${id}.on`] === "on";
 
 /** Whether a group is on: its switch is, and that of the group that it needs. */

@@ -45,7 +45,6 @@ OWN = {
 """Numbers of the text that stand in no block."""
 
 EXPECTED = {
-    "both_meshes",
     "perfect_parts",
     "uneven_sharing",
     "modification_unknown",

@@ -23,6 +23,6 @@ const PATHS = ["openapi.json", "examples", "materials", "calculations", "words"]
 const descriptions = JSON.parse(execFileSync(`${ROOT}.venv/bin/python`, ["-c", ASK, ...PATHS], {
   cwd: ROOT, encoding: "utf8", maxBuffer: 2 ** 24,
 }));
-export const [openapi] = descriptions;
+export const [openapi, examples] = descriptions;
 export const english = englishOf(descriptions);
 setEnglish(english);

@@ -4,7 +4,7 @@ import { test } from "node:test";
 
 import { createBeside } from "../../static/besides.js";
 import { Problem } from "../../static/lib/api.js";
-import { isOn, listedInputs, readState, shownFields, stateFromInput, withLinks } from "../../static/lib/form_state.js";
+import { isOn, listedInputs, lostOf, readState, shownFields, stateFromInput, withLinks } from "../../static/lib/form_state.js";
 import { formModel } from "../../static/lib/schema_form.js";
 import { decodeState, encodeState } from "../../static/lib/url_state.js";
 import * as next from "../../static/store.js";
@@ -15,7 +15,7 @@ import * as study from "../../static/calculators/crank-planetary/study.js";
 import { documentOf, inputOf, WANTED, wantedSections } from "../../static/calculators/crank-planetary/wanted.js";
 import { pasted } from "../../static/views/rows.js";
 import { INPUT, OPENAPI } from "./model.mjs";
-import { openapi } from "./service.mjs";
+import { examples, openapi } from "./service.mjs";
 
 const number = { type: "number", minimum: -10, maximum: 10 };
 const list = { type: "array", items: number, "x-unit": "mm", "x-group": "deviations" };
@@ -629,4 +629,25 @@ test("tolerances of a design open the study by the way in which they are said, a
   assert.deepEqual(documentOf(input).tolerances, { ring_pin_position_mm: 0.01 });
   const off = { ...input, besides: { ...input.besides, study: {} } };
   assert.equal(documentOf(off).tolerances, undefined);
+});
+
+test("a request that is opened keeps all that has a field, and what has none is named", () => {
+  const model = formModel(openapi, { ...calculator, path: `/api/v1${calculator.path}`, words: ownWords });
+  const opened = (request) => {
+    const { include, ...input } = inputOf(request);
+    const { input: taken } = readState(model, withLinks(model, stateFromInput(model, input)));
+    return { lost: lostOf(model, input), asked: documentOf(taken) };
+  };
+  const ours = examples.examples.filter(({ calculation }) => calculation === "crank-planetary");
+  for (const { id, input } of ours) assert.deepEqual(opened(input).lost, [], id);
+  const { input: whole } = ours.find(({ id }) => id === "cycloid");
+  const more = {
+    contact_law: { kind: "linear", stiffness_N_per_mm: 50000 },
+    crank_support: { stiffness_N_per_mm: 80000, radial_clearance_mm: 0.01 },
+    deviations: { pin_radial_mm: Array(whole.mechanism.pins).fill(0.01), ring_pin_radial_mm: [0.002, 0, 0.001] },
+  };
+  const { lost, asked } = opened({ ...whole, ...more });
+  assert.deepEqual([lost, asked.contact_law, asked.crank_support], [[], more.contact_law, more.crank_support]);
+  assert.deepEqual(asked.deviations.pin_radial_mm, more.deviations.pin_radial_mm);
+  assert.deepEqual(opened({ ...whole, satellite_coupling: { kind: "ring" } }).lost, ["satellite_coupling.kind"]);
 });

@@ -48,6 +48,7 @@ const REAL = {
   },
   "contact_law.reference_depth_mm": { when: ["contact_law.kind", "hertz"] },
   "satellite_coupling.shares": rare,
+  ...each("crank_support", { ...rare, default: null }, "stiffness_N_per_mm", "radial_clearance_mm"),
   lost_motion_torque_share: {},
 };
 
@@ -418,7 +419,7 @@ export function documentOf({ mechanism, load, contact, besides = {}, ...others }
   const on = (section) => wanted.includes(section) && asked(section);
   const made = isOn({ besides }, "real");
   const { deviations: { pins, holes, cranks, ring_pins: ringPins } = {}, requirements } = besides;
-  const { contact_law: law = {}, satellite_coupling: shared, pin, fatigue, rollers, friction, gear: { kind, ...gear } = {}, bearing, crankshaft, build = {} } = besides;
+  const { contact_law: law = {}, satellite_coupling: shared, crank_support: support, pin, fatigue, rollers, friction, gear: { kind, ...gear } = {}, bearing, crankshaft, build = {} } = besides;
   const zone = isOn({ besides }, "study") ? besides.tolerances?.ring_pin_position_mm : undefined;
   const deviations = {
     ...(made && { ...listsOf(pins), ...listsOf(holes, bySatellites(mechanism.pins)), ...listsOf(cranks) }),
@@ -432,6 +433,7 @@ export function documentOf({ mechanism, load, contact, besides = {}, ...others }
       contact_law: made && law,
       deviations: Object.keys(deviations).length > 0 && deviations,
       satellite_coupling: made && shared && { kind: "shares", ...shared },
+      crank_support: made && support,
       pin: on("pin_strength") && pin,
       fatigue: on("pin_strength") && fatigue,
       rollers: on("rollers") && rollers,
@@ -460,24 +462,40 @@ function sizesOf({ process, hole_diameter: hole, pin_diameter: pin }) {
   return [hole, pin].some((size) => size?.lower_mm !== undefined) ? "limits" : "class";
 }
 
+/** Tables of measured parts, each with the names of its columns (REAL, TEETH). */
+const MEASURED = { pins: /^pin_/, holes: /^hole_/, cranks: /^(eccentricity|crank_phase|disc_phase)_/, ring_pins: /^ring_pin_/ };
+
+/** Rows of the tables of measured parts that deviations have. */
+function measuredOf(deviations) {
+  const tables = Object.entries(MEASURED).map(([id, named]) => {
+    const lists = Object.entries(deviations).filter(([name]) => named.test(name)).map(([name, values]) => [name, values.flat()]);
+    const count = Math.max(0, ...lists.map(([, { length }]) => length));
+    return [id, Array.from({ length: count }, (_, k) => Object.fromEntries(lists.map(([name, values]) => [name, values[k]])))];
+  });
+  return Object.fromEntries(tables.filter(([, { length }]) => length > 0));
+}
+
 /** What the form shows of a design document: the groups are on whose parts it has; a pin of one material has it in one field. */
-export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bearing, crankshaft, build, deviations = {}, tolerances, ...own }) {
+export function inputOf({ pin: given, fatigue = {}, rollers, friction, gear, bearing, crankshaft, build, deviations = {}, tolerances,
+  contact_law: law, crank_support: support, satellite_coupling: shared, ...own }) {
   const { requirements, contact } = own;
-  const ring = Object.entries(deviations).filter(([name]) => name.startsWith("ring_pin_"));
-  const count = Math.max(0, ...ring.map(([, { length }]) => length));
-  const rows = Array.from({ length: count }, (_, k) => Object.fromEntries(ring.map(([name, values]) => [name, values[k]])));
+  const measured = measuredOf(deviations);
+  const { ring_pins: ring, ...others } = measured;
+  const real = law || support || shared || Object.keys(others).length > 0;
   const { material, ...bare } = given ?? {};
   const pin = given && JSON.stringify(material) === JSON.stringify(contact?.pin_material) ? bare : given;
+  const { sleeve, ...rubbing } = friction ?? {};
   const ways = { notch_factor: "fatigue_notch_factor", notch: "notch", endurance_limit: "endurance_limit_MPa" };
   const way = Object.keys(ways).find((each) => fatigue[ways[each]] !== undefined);
   const on = { on: "on" };
   return {
     ...own,
     besides: {
-      ...(count > 0 && { deviations: { ring_pins: rows } }),
-      ...(pin && { strength: { ...on, surface: friction?.sleeve ? "sleeved" : "bare", fatigue: way }, pin, fatigue }),
+      ...(real && { real: on, contact_law: law, crank_support: support, satellite_coupling: shared }),
+      ...((real || ring) && { deviations: measured }),
+      ...(pin && { strength: { ...on, surface: sleeve ? "sleeved" : "bare", fatigue: way }, pin, fatigue }),
       ...(rollers && { rolling: on, rollers }),
-      ...(friction && { losses: on, friction }),
+      ...(friction && { losses: on, friction: rubbing }),
       ...((bearing || crankshaft || gear?.modification || shifted(gear)) && { bearings: on, gear: { kind: "ratio", ...gear }, bearing }),
       ...((gear?.modification || shifted(gear)) && { teeth: on }),
       ...(crankshaft && { crank: on, crankshaft }),
