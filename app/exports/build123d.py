@@ -65,10 +65,10 @@ def bodies():
 
 
 def copies(name, solid, places):
-    """Solids at their places, with labels."""
-    for number, (x, y) in enumerate(places, 1):
+    """Equal solids at their places, of one name."""
+    for x, y in places:
         copy = Pos(x, y) * solid
-        copy.label = f"{{name}}_{{number}}" if len(places) > 1 else name
+        copy.label = name
         yield copy
 
 

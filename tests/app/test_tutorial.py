@@ -1,7 +1,10 @@
 """The requests of the tutorials, asked as they stand there, give the numbers printed there."""
 
+import ast
+import io
 import json
 import re
+import zipfile
 from decimal import Decimal
 from pathlib import Path
 
@@ -10,7 +13,7 @@ import pytest
 DOCS = Path(__file__).parent.parent.parent / "docs"
 TUTORIALS = {name: (DOCS / name).read_text() for name in ("tutorial.md", "tutorial_cycloid.md")}
 BLOCK = re.compile(r"^( *)```(sh|json)\n(.*?)^\1```$", re.DOTALL | re.MULTILINE)
-ASKED = re.compile(r"ask (\S+) '(.*)'\n", re.DOTALL)
+ASKED = re.compile(r"ask (\S+) '([^']*)'\n")
 
 WARNED = re.compile(r'"warnings":\[\{"code":"(\w+)"')
 
@@ -119,6 +122,25 @@ async def test_the_service_gives_the_printed_numbers(api, path, body, following)
     solved = {"fit", "hole_clearance_mm"} & {*json.loads(body).get("contact", {})}
     worst = max((each["relative_error"] for each in accuracies(answer)), default=0.0)
     assert worst < STATED.get(path, 1e-3 if solved else 1e-12)
+
+
+@pytest.mark.anyio
+async def test_the_files_of_the_last_step_hold_what_it_says(api):
+    """Its design is that of the other steps, with the narrower zone."""
+    tutorial = TUTORIALS["tutorial_cycloid.md"]
+    step = tutorial[tutorial.index("## 7.") :]
+    (whole,) = [json.loads(step.values[1]) for step in STEPS if step.values[0] == "tolerance-study"]
+    design = {name: value for name, value in whole.items() if isinstance(value, dict)}
+    drawn = await api.post("export/dxf", json={"design": design})
+    with zipfile.ZipFile(io.BytesIO(drawn.content)) as files:
+        assert files.namelist() == re.findall(r"`(\w+\.dxf)`", step)
+    script = (await api.post("export/build123d", json={"design": design})).text
+    (counted,) = re.findall(r"with (\d+) solids", step)
+    places = re.findall(r", (\[\([^\[\]]*\)\])\),$", script, re.MULTILINE)
+    assert sum(len(ast.literal_eval(each)) for each in places) == int(counted)
+    asked = {"calculation": "crank-planetary", "input": design}
+    for name in re.findall(r"^file (\w+) whole\.json", step, re.MULTILINE):
+        assert (await api.post(f"export/{name}", json=asked)).status_code == 200, name
 
 
 @pytest.mark.parametrize("name", TUTORIALS)

@@ -58,7 +58,7 @@ def check_volumes(parts, design):
     """Compare volumes with masses, which take all these parts to be of steel."""
     volumes = {}
     for part in parts:
-        name = part.label.rstrip("0123456789").rstrip("_")
+        name = part.label.rstrip("0123456789").rstrip("_")  # of all satellites together
         volumes[name] = volumes.get(name, 0.0) + part.volume * 1e-9
     of_mass = {each.code: each.solid for each in mass(design).parts}
     for name, (code, close) in ALIKE.items():
@@ -120,6 +120,7 @@ def main():
         print(f"{name}: {len(parts)} solids, {taken:.1f} s, {size / 1e6:.1f} MB")
         assert len(read.solids()) == len(parts)
         assert all(each.is_valid for each in read.solids())
+        assert sorted(each.label for each in read.children) == sorted(each.label for each in parts)
         whole_volume = sum(each.volume for each in parts)
         assert math.isclose(sum(each.volume for each in read.solids()), whole_volume, rel_tol=1e-9)
         check_volumes(parts, design)
