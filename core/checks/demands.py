@@ -49,7 +49,7 @@ def _of_both(results: Results) -> str | None:
 
 @_play(
     "backlash",
-    title="Backlash of the output mechanism",
+    title="Backlash of the output",
     inputs=(
         of.CRANKS,
         "mechanism.ratio load.pin_circle_radius",
@@ -71,7 +71,7 @@ def backlash(kind: Kind, design: Design, results: Results) -> Measure:
 
 @_play(
     "lost_motion",
-    title="Lost motion of the output mechanism",
+    title="Lost motion of the output",
     unit="arcmin",
     formula="θ(+3 % T) − θ(−3 % T) ≤ Δφ",
     why="Otherwise the output gives way by more than is asked when the torque turns.",
@@ -161,7 +161,7 @@ def ring_transmission_error(kind: Kind, design: Design, results: Results) -> Che
 
 @_rubs(
     "efficiency",
-    title="Efficiency of the output mechanism",
+    title="Efficiency of pins and teeth",
     why="Below it more is lost than is asked.",
     inputs=(
         of.FORCES,

@@ -294,7 +294,6 @@ def outer_diameter(kind: Kind, design: Design, results: Results) -> Measure:
         "contact.pin_radius",
     ),
     asks="max_length",
-    only_asked=True,
 )
 def length(kind: Kind, design: Design, results: Results) -> Measure:
     """Length over carrier, ring housing and bearings of the crankshaft."""
