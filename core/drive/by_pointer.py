@@ -1,10 +1,13 @@
-"""Named tuples of arrays that compiled functions pass to each other by one pointer.
+"""Named tuples of arrays that compiled functions pass to each other by one pointer, and elements of
+arrays by indices that are not negative.
 
 Numba passes a tuple of arrays as its numbers one by one, some three hundred for those of the
 engine, at each call. The arrays of a tuple stay where they are during a call, so that the compiler
-may read their places once.
+may read their places once. Arrays are contiguous. Numba would look at each index whether it counts
+from the end.
 """
 
+import operator
 from typing import Any
 
 from llvmlite import ir  # type: ignore[import-untyped]
@@ -14,6 +17,7 @@ from numba.core.typing.templates import AttributeTemplate
 from numba.extending import (
     NativeValue,
     infer_getattr,
+    lower_builtin,
     lower_getattr_generic,
     register_model,
     typeof_impl,
@@ -81,3 +85,31 @@ def hold(*, kind: type, held: Any) -> Held:
     found = Held(held)
     typeof_impl.register(kind)(lambda *_: found)
     return found
+
+
+PLACE = types.Array, types.UniTuple  # type: ignore[attr-defined]
+"""Types of an array and of the indices of an element."""
+
+
+def _element(context: Any, builder: Any, array: Any, given: Any, index: Any) -> Any:
+    """Pointer to an element of a contiguous array."""
+    model = context.data_model_manager[array]
+    sizes = cgutils.unpack_tuple(builder, model.get(builder, given, "shape"))
+    place, *further = cgutils.unpack_tuple(builder, index)
+    for size, each in zip(sizes[1:], further, strict=True):
+        place = builder.add(builder.mul(place, size), each)
+    return cgutils.gep_inbounds(builder, model.get(builder, given, "data"), place)
+
+
+@lower_builtin(operator.getitem, *PLACE)  # type: ignore[untyped-decorator]
+def _read_element(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+    """Read an element of an array of several axes."""
+    return builder.load(_element(context, builder, signature.args[0], *args))
+
+
+@lower_builtin(operator.setitem, *PLACE, types.Float)  # type: ignore[untyped-decorator]
+def _set_element(context: Any, builder: Any, signature: Any, args: Any) -> None:
+    """Set an element of an array of several axes."""
+    array, _, kind = signature.args
+    number = context.cast(builder, args[2], kind, array.dtype)
+    builder.store(number, _element(context, builder, array, *args[:2]))

@@ -7,8 +7,8 @@ of the kind; the cache may be moved to another machine, and read where it cannot
 import functools
 import os
 import types
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from typing import Any, get_type_hints
 
 from core.drive import engine
@@ -73,9 +73,8 @@ def kind(annotation: Any) -> Any:
     return of.Tuple([kind(each) for each in annotation.__args__])
 
 
-@functools.cache
-def _cache_of(say: Say) -> Any:
-    """Class of numba's cache that compiles what it cannot read and tolerates failures to write."""
+def _cache_of(told: Callable[[str], Any]) -> Any:
+    """Class of numba's cache that reads nothing that is broken and tolerates failures to write."""
     os.environ.setdefault("NUMBA_CPU_NAME", "generic")
     os.environ.setdefault("NUMBA_OPT", "1")  # higher takes a fifth longer and runs no faster
     for unneeded in ("NUMBA_LOOP_VECTORIZE", "NUMBA_LLVM_REFPRUNE_PASS"):  # loops are short
@@ -83,7 +82,6 @@ def _cache_of(say: Say) -> Any:
     from numba.core import caching, config
 
     config.reload_config()  # numba may have been imported before the environment was set
-    told = functools.cache(say or str)
 
     class Place:
         """Folder beside the source or in ``NUMBA_CACHE_DIR``, writable or not."""
@@ -100,15 +98,6 @@ def _cache_of(say: Say) -> Any:
         _impl_class = Results
 
         def load_overload(self, *asked: Any) -> Any:
-            found = self._found(asked)
-            if found is None:
-                told(MADE)  # the function told may have waited until another process has compiled
-                found = self._found(asked)
-            if found is None:
-                _take_in(self._py_func)
-            return found
-
-        def _found(self, asked: Any) -> Any:
             try:
                 return super().load_overload(*asked)
             except Exception:  # a broken file may raise anything
@@ -128,8 +117,8 @@ def _cache_of(say: Say) -> Any:
 
 @functools.cache
 def _linked() -> type:
-    """Pipeline of numba that makes no machine code: its functions become a part of each function
-    that calls them, and are optimised there.
+    """Pipeline of numba that makes no machine code: all functions become one library, and are
+    optimised there.
     """
     from numba.core.codegen import JITCodeLibrary
     from numba.core.compiler import Compiler
@@ -163,32 +152,81 @@ def load(say: Say = None) -> None:
     ``say`` is called once if something is compiled, and once if a cache cannot be used.
     """
     import numba
+    from numba.core.registry import cpu_target
 
-    kept = _cache_of(say)
-    made = {}
-    for name in CALLED:
-        made[name] = numba.njit(**OPTIONS)(PLAIN[name])
-        made[name]._cache = kept(PLAIN[name])
-        _compile(made[name])
-    vars(engine).update(PLAIN | made)
+    told = functools.cache(say or str)
+    kept, target = _cache_of(told), cpu_target.target_context
+    caches = [(kept(PLAIN[name]), _signature(PLAIN[name])) for name in CALLED]
+
+    def read() -> list[Any]:
+        return [cache.load_overload(signature, target) for cache, signature in caches]
+
+    found = read()
+    if None in found:
+        told(MADE)  # the function told may have waited until another process has compiled
+        found = read()
+    if None in found:
+        found = _made(target)
+        for (cache, signature), each in zip(caches, found, strict=True):
+            cache.save_overload(signature, each)
+    vars(engine).update(PLAIN)
+    for name, each in zip(CALLED, found, strict=True):
+        called = numba.njit(**OPTIONS)(PLAIN[name])
+        called.add_overload(each)
+        called.disable_compile()
+        setattr(engine, name, called)
 
 
-def _compile(found: Any) -> None:
-    """Compile a function as its annotations say."""
-    hints = get_type_hints(found.py_func, include_extras=True)
+def _signature(plain: Any) -> Any:
+    """Numba's signature of a function by its annotations."""
+    hints = get_type_hints(plain, include_extras=True)
     gives = kind(hints.pop("return"))
-    found.compile(gives(*(kind(each) for each in hints.values())))
-    found.disable_compile()
+    return gives(*(kind(each) for each in hints.values()))
 
 
-def _take_in(plain: Any) -> None:
-    """Compile what a function calls, and have it found there."""
+def _made(target: Any) -> list[Any]:
+    """Results of numba for the functions that are called, all in one library."""
+    from numba.core.compiler_lock import global_compiler_lock
+
+    library, results = target.codegen().create_library("engine"), []
+    library.enable_object_caching()
+    with global_compiler_lock:
+        with _types_kept(target.typing_context):
+            parts = [_part(name, no_cpython_wrapper=False) for name in CALLED]
+        for each in parts:
+            each.library.finalize()
+            library._final_module.link_in(each.library._final_module, preserve=True)
+        library.finalize()
+        for each in parts:
+            entry = target.get_executable(library, each.fndesc, each.environment)
+            results.append(each._replace(library=library, entry_point=entry))
+    return results
+
+
+@contextmanager
+def _types_kept(context: Any) -> Iterator[None]:
+    """Have numba keep the types of operations, for each of which it tries dozens of templates."""
+    asked = context.resolve_function_type
+    kept = functools.cache(lambda function, args: asked(function, args, {}))
+    context.resolve_function_type = lambda function, args, named: (
+        asked(function, args, named) if named else kept(function, args)
+    )
+    try:
+        yield
+    finally:
+        del context.resolve_function_type
+
+
+def _part(name: str, no_cpython_wrapper: bool = True) -> Any:
+    """Compile a function after those that it calls, which are found in the engine's module."""
     import numba
 
-    for name in plain.__code__.co_names:
-        if name in PLAIN and vars(engine)[name] is PLAIN[name]:
-            _take_in(PLAIN[name])
-            options = OPTIONS | {"no_cpython_wrapper": True, "forceinline": name in INLINED}
-            part = numba.njit(**options, pipeline_class=_linked())(PLAIN[name])
-            _compile(part)
-            setattr(engine, name, part)
+    for called in PLAIN[name].__code__.co_names:
+        if called in PLAIN and vars(engine)[called] is PLAIN[called]:
+            _part(called)
+    options = OPTIONS | {"no_cpython_wrapper": no_cpython_wrapper, "forceinline": name in INLINED}
+    part = numba.njit(**options, pipeline_class=_linked())(PLAIN[name])
+    part.compile(signature := _signature(PLAIN[name]))
+    part.disable_compile()
+    setattr(engine, name, part)
+    return part.overloads[signature.args]
