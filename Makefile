@@ -80,10 +80,12 @@ node: compiled
 
 office: .venv/test compiled  ## files of examples by build123d, LibreCAD, LibreOffice; pictures in build/office
 	$(HASHED) requirements/cad.txt
+	$(HASHED) requirements/pdf.txt
 	@tests/tools.sh soffice libreoffice-calc-nogui
 	@tests/tools.sh librecad librecad
 	@tests/tools.sh pdftoppm poppler-utils
 	PYTHONPATH=. $(BIN)/python -m tests.office.sheets
+	PYTHONPATH=. $(BIN)/python -m tests.office.reports build/office
 	PYTHONPATH=. $(BIN)/python -m tests.office.solids
 	PYTHONPATH=. $(BIN)/python -m tests.office.drawings build/office
 
@@ -131,6 +133,7 @@ requirements: .venv/run  ## pin what pyproject.toml asks for, and what that need
 	$(COMPILE) --extra dask -c requirements/run.txt -o requirements/dask.txt
 	$(COMPILE) --extra test -c requirements/dask.txt -o requirements/test.txt
 	$(COMPILE) --extra cad -c requirements/run.txt -o requirements/cad.txt
+	$(COMPILE) --extra pdf -c requirements/run.txt -o requirements/pdf.txt
 
 audit:  ## look for known weaknesses of the pinned packages
 	@tests/audit.sh

@@ -2,8 +2,6 @@
 
 import gzip
 import hashlib
-import re
-from dataclasses import asdict
 from functools import cache
 from typing import Annotated, Any, Literal
 
@@ -15,32 +13,26 @@ from starlette.datastructures import Headers
 from starlette.staticfiles import NotModifiedResponse
 from starlette.types import Scope
 
-from app import VERSION, theme
+from app import VERSION
 from app.calculations.work_precision import COMPARED
 from app.endpoint import JSON, CompressedJSON
 from app.examples import EXAMPLES
 from app.model import Calculation, Maybe, ResponseModel, present
-from app.problems import KINDS, RESPONSES, TEXTS
+from app.problems import KINDS, RESPONSES
 from app.record import root_path
 from app.registry import CALCULATIONS, EXPORTS, NEGLECTED
 from app.sources import ISO_286
-from app.units import api_value, from_si, to_si
+from app.units import from_si, to_si
+from app.words import english
 from core.bearings import BEARINGS, NamedBearing, Ratings
-from core.checks.records import CHECKS
-from core.checks.words import CHECK_SOURCES, NOT_CONSIDERED
-from core.checks.words import GROUPS as CHECK_GROUPS
-from core.codes import CODES, REFUSALS, WARNINGS, WAS, Code
 from core.contact_life import LifeCurve
-from core.errors import METHODS, PLACES
 from core.fields import SMALLEST
-from core.hertz import CRITERIA, LIMIT_SOURCES, VERIFIED, Criterion, Verified
+from core.hertz import LIMIT_SOURCES, Criterion, Verified
 from core.material_table import ALIASES, MATERIALS
 from core.materials import GROUPS, Fact, Range, Seen, TableMaterial
 from core.proposal.shop import SHOPS, Shop
 from core.tolerance.iso286 import CLASSES, GRADES, SIZES, Limits, class_limits
 from core.tolerance.processes import PROCESSES, Process, Size
-from core.work_precision.study import SETTINGS
-from core.worked import words as worked_words
 
 CLASS_NAMES = tuple(f"{letter}{grade}" for letter in CLASSES for grade in GRADES)
 CLASS_VARIABLES = [("hole_", "shaft_")[each.islower()] + each for each in CLASS_NAMES]
@@ -369,6 +361,10 @@ class ExportOut(ResponseModel):
     installed: bool = Field(
         description="True if the service answers them; otherwise it lacks the extra that they need."
     )
+    media_types: list[str] = Field(
+        description="Media types that the service answers: a request is "
+        "answered in the first one that fits its files, or in PDF if it accepts that."
+    )
 
 
 class CalculationList(ResponseModel):
@@ -422,13 +418,6 @@ class NoticeWords(ResponseModel):
     why: str = Field(description="Reason why the warning matters.")
     mend: str = Field(description="Advice on what to change.")
 
-    @classmethod
-    def of(cls, code: Code) -> "NoticeWords":
-        """Words of a code."""
-        words = asdict(code)
-        del words["kind"]
-        return cls(**words)
-
 
 class CheckWords(ResponseModel):
     """English words of a check."""
@@ -441,16 +430,6 @@ class CheckWords(ResponseModel):
     refusal: Maybe[str] = Field(
         default=None, description="Text of a refusal with the code of the check."
     )
-
-    @classmethod
-    def of(cls, code: str) -> "CheckWords":
-        """Words of a check."""
-        said: dict[str, Any] = {}
-        if code in WARNINGS:
-            said["warning"] = NoticeWords.of(WARNINGS[code])
-        elif code in REFUSALS:
-            said["refusal"] = REFUSALS[code].text
-        return cls(title=CHECKS[code].title, why=CHECKS[code].why, **said)
 
 
 class Words(ResponseModel):
@@ -499,13 +478,6 @@ class Words(ResponseModel):
         description="Texts of figures, by the id in `layout.meta.words`; an id that starts with "
         "`methods.` or `settings.` refers to the table of that name."
     )
-
-
-def _named(words: Any) -> Any:
-    """Texts, nested as given, whose ``{name:format}`` is ``{name}``; " mm" behind a length goes."""
-    if isinstance(words, str):
-        return re.sub(r"(_mm)?:[^{}]*}(?(1)( mm)?)", r"\1}", words)
-    return {code: _named(each) for code, each in words.items()}
 
 
 class Packed:
@@ -562,7 +534,12 @@ async def calculations() -> CalculationList:
     return CalculationList(
         calculations=[CalculationOut.of(each) for each in CALCULATIONS.values()],
         exports=[
-            ExportOut(name=each.name, title=each.title, installed=each.installed)
+            ExportOut(
+                name=each.name,
+                title=each.title,
+                installed=bool(each.answered),
+                media_types=[*each.answered],
+            )
             for each in EXPORTS.values()
         ],
     )
@@ -615,27 +592,8 @@ async def examples() -> ExampleList:
 
 @cache
 def _words() -> Packed:
-    words = Words(
-        refusals={code: text for code, text in TEXTS.items() if code not in CHECKS},
-        places={api_value(name, 0.0)[0]: text for name, text in PLACES.items()},
-        notices={c: NoticeWords.of(each) for c, each in WARNINGS.items() if c not in CHECKS},
-        checks={code: CheckWords.of(code) for code in CHECKS},
-        check_groups=CHECK_GROUPS,
-        reasons={code: each.text for code, each in CODES.items() if each.kind == "unknown"},
-        was=WAS,
-        sources=CHECK_SOURCES | LIMIT_SOURCES,
-        criteria=CRITERIA,
-        verified=VERIFIED,
-        not_considered=NOT_CONSIDERED,
-        methods=METHODS,
-        worked_values=worked_words.VALUES,
-        worked_notes=worked_words.NOTES,
-        worked_errata=worked_words.ERRATA,
-        worked_sources=worked_words.SOURCES,
-        settings=SETTINGS,
-        figures=theme.TEXTS,
-    )
-    return Packed(orjson.dumps(_named(words.model_dump(exclude_none=True))), JSON)
+    words = Words(**english())
+    return Packed(orjson.dumps(words.model_dump(exclude_none=True)), JSON)
 
 
 @router.get("/words", operation_id="words", response_model=Words)

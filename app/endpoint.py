@@ -187,10 +187,12 @@ def route_of_files(export: Export) -> type[APIRoute]:
     async def handle(request: Request) -> Response:
         record = at_hand.get() or Record()
         sent = await received(request, record, record.settings.max_body_bytes)
-        if not export.installed:
+        converted = export.converts(request.headers.get("accept", ""))
+        if export.media_types[-converted] not in export.answered:
             raise not_installed(export)
-        asked = export.name, sent, record.settings
-        limit_s = record.settings.max_study_seconds if export.extra else None
+        asked = export.name, sent, converted, record.settings
+        long = export.extra and (converted or not export.convert)
+        limit_s = record.settings.max_study_seconds if long else None
         async with wanted(request):
             file = await in_process(
                 request.app.state.jobs, _written, *asked, record=record, limit_s=limit_s
@@ -201,11 +203,11 @@ def route_of_files(export: Export) -> type[APIRoute]:
     return hooked(handle)
 
 
-def _written(tell: Tell, name: str, sent: bytes, settings: Settings) -> None:
+def _written(tell: Tell, name: str, sent: bytes, converted: bool, settings: Settings) -> None:
     """A file of a design from the bytes of a request, in a process."""
     export = EXPORTS[name]
     body = read_body(export, sent, settings)
-    tell(calculated(body, partial(export.write, body)))
+    tell(calculated(body, partial(export.file, body, converted=converted)))
 
 
 async def _told_by_lines(request: Request, name: str, sent: bytes, record: Record) -> Response:

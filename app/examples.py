@@ -20,4 +20,5 @@ REQUESTS: dict[str, dict[str, Any]] = _DATA["requests"]
 REQUESTS |= {
     f"export/{kind}": {"design": REQUESTS["export/dxf"]["design"]} for kind in ("build123d", "step")
 }
+REQUESTS["export/report"] = REQUESTS["export/xlsx"] | {"title_block": {"title": "Pin and hole"}}
 """One request for each endpoint, for the API's description; the chart endpoint takes it too."""

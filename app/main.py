@@ -33,8 +33,7 @@ from app.model import Calculation, Export, StudyCalculation
 from app.problems import LACKING, REFUSED, RESPONSES, refused, unavailable
 from app.registry import CALCULATIONS, EXPORTS
 from app.settings import Settings, current
-
-STATIC = Path(__file__).parent.parent / "static"
+from app.words import STATIC
 
 PRELOAD = ("app.batch", "app.loaded")
 """Modules that processes for calculations import in advance."""

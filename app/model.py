@@ -689,11 +689,25 @@ class Export:
     extra: str = ""  # extra of the installation that they need; they take as long as a study then
     module: str = ""  # module that the extra brings
     instead: str = ""  # name of the export that needs no extra
+    # Module function: a file in the last media type, for requests that accept it; that needs the
+    # extra, and the file as it is written does not.
+    convert: Callable[[File], File] | None = None
 
     @property
-    def installed(self) -> bool:
-        """True if the service has the extra that the files need."""
-        return not self.module or find_spec(self.module) is not None
+    def answered(self) -> tuple[str, ...]:
+        """Media types that the service answers, as it has the extra that the others need."""
+        if not self.module or find_spec(self.module) is not None:
+            return self.media_types
+        return self.media_types[:-1] if self.convert else ()
+
+    def converts(self, accept: str) -> bool:
+        """True if a request with this `Accept` is answered in the last media type."""
+        return self.convert is not None and self.media_types[-1] in accept
+
+    def file(self, body: Any, *, converted: bool) -> File:
+        """File of a request, in the last media type if `converted`."""
+        written = self.write(body)
+        return self.convert(written) if converted and self.convert else written
 
 
 class _Plan(NamedTuple):

@@ -52,8 +52,7 @@ OF_REQUESTS = {
     "needed_for": "is needed for {section}",
     "needed_to_draw": "is needed: what is not known is not drawn",
     "no_methods": "has one method only, within {relative_error:.0e}: there is nothing to compare",
-    "not_installed": "needs the extra `{extra}`, which is not installed here; {instead} answers "
-    "the script that writes the file",
+    "not_installed": "needs the extra `{extra}`, which is not installed here; {instead} needs none",
     "no_such_part": "is none of the parts that are drawn: {parts}",
     "no_class_of_size": "is known for diameters up to {limit_mm:g} mm only",
     "not_this_cycloid": "must be {expected}, one more than the satellite has: discs of other "

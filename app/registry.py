@@ -4,7 +4,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 from app import calculations
-from app.exports import build123d, dxf, step, xlsx
+from app.exports import build123d, dxf, report, step, xlsx
 from app.model import Calculation, Export
 
 FIRST = (
@@ -45,7 +45,7 @@ CALCULATIONS = _calculations()
 """Calculations by name."""
 
 EXPORTS: dict[str, Export] = {
-    module.EXPORT.name: module.EXPORT for module in (dxf, build123d, step, xlsx)
+    module.EXPORT.name: module.EXPORT for module in (dxf, build123d, step, xlsx, report)
 }
 """Files of a design, by name."""
 

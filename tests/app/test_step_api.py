@@ -70,7 +70,7 @@ async def test_without_the_extra_it_says_what_to_install_and_what_to_ask_instead
 
 
 async def test_with_it_the_page_learns_so(api, kernel):
-    assert EXPORTS[PATH].installed
+    assert EXPORTS[PATH].answered
     exports = (await api.get("calculations")).json()["exports"]
     assert all(each["installed"] for each in exports)
 

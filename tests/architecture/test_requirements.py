@@ -61,11 +61,14 @@ def imported(source):
 def test_what_the_service_imports_is_installed_with_it():
     files = (*ROOT.glob("app/**/*.py"), *ROOT.glob("core/**/*.py"))
     names = {name for file in files for name in imported(file.read_text())}
-    packages, extra = ({name.replace("-", "_") for name in pinned(of)} for of in ("run", "dask"))
+    packages, dask, pdf = (
+        {name.replace("-", "_") for name in pinned(of)} for of in ("run", "dask", "pdf")
+    )
+    extra = {"dask", "distributed", "weasyprint"}
     assert "fastapi" in names
     own = {"app", "core"}
-    assert names - packages - set(sys.stdlib_module_names) - own == {"dask", "distributed"}
-    assert {"dask", "distributed"} <= extra
+    assert names - packages - set(sys.stdlib_module_names) - own == extra
+    assert {"dask", "distributed"} <= dask and "weasyprint" in pdf
     assert "plotly" not in packages
 
 
