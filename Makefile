@@ -124,8 +124,9 @@ bench: .venv/test  ## time calculations and requests against each other, as rati
 	PYTHONPATH=. $(BIN)/python -m benchmarks.batches
 	PYTHONPATH=. $(BIN)/python -m benchmarks.proposals
 
-bench-page: .venv/test  ## time the page in Chromium: from the last key to numbers and figures
+bench-page: .venv/test  ## the page in Chromium: from the last key to numbers and figures, what the screen shows
 	PYTHONPATH=. $(BIN)/python -m benchmarks.page
+	PYTHONPATH=. $(BIN)/python -m benchmarks.frame
 
 requirements: .venv/run  ## pin what pyproject.toml asks for, and what that needs, with hashes
 	$(PIP_INSTALL) uv

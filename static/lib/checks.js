@@ -196,8 +196,7 @@ export function verdictSentence(judged, titles) {
   return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, allowed && `${allowed}.`, cold].filter(Boolean).join(" ");
 }
 
-/** What the checks that have been judged are about. */
-export function groupsOf({ checks = [] }) {
+function groupsOf({ checks = [] }) {
   const groups = new Set(checks.filter(({ status }) => JUDGED.includes(status)).map(({ group }) => group));
   return [...groups].map((group) => said("check_groups", group) ?? group).join(", ").toLowerCase();
 }
@@ -228,17 +227,16 @@ export function assumedIn({ assumed = [] }) {
   return message("checks.assumed", { what: what.join("; ") });
 }
 
-/** Why a verdict's word is what it is, in words. */
+/** Why a verdict's word is what it is, in words; nothing where it works, or where what is unknown says so. */
 export function wordNote(judged) {
   const word = wordOf(judged);
+  if (word === "pass") return "";
   if (word === "incomplete") return unknownIn(judged) > 0 ? "" : message("verdictWord.nothingNote");
-  const check = word === "marginal" && decisive(judged);
-  // The first of the marginal checks does not hang on the torque where none of them does: what they doubt is nothing of strength.
-  if (check && !byTorque(check)) {
-    return message("verdictWord.marginalByNote", { check: titleOf(check), groups: groupsOf(judged) });
-  }
-  return message(`verdictWord.${word}Note`, { groups: groupsOf(judged) });
+  return message(`verdictWord.${word}Note`);
 }
+
+/** What the checks that have been judged are about, in words. */
+export const lookedAt = (judged) => message("verdictWord.lookedAt", { groups: groupsOf(judged) });
 
 /** Of plastic: above which torque it yields at once, in a sentence, and by what; nothing where that is not known. */
 export function coldYield({ cold_yield: cold }) {

@@ -3,7 +3,7 @@
  * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
  */
 import {
-  assumedIn, checkRow, coldYield, decisive, isLimited, judgedOf, levelOfWord, notConsidered, partRow, torqueUnknown, unknownIn, usuallyOf, wordNote, wordOf, wordText,
+  assumedIn, checkRow, coldYield, decisive, isLimited, judgedOf, levelOfWord, lookedAt, notConsidered, partRow, torqueUnknown, unknownIn, usuallyOf, wordNote, wordOf, wordText,
 } from "../lib/checks.js";
 import { ALL, formatQuantity, quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
@@ -31,7 +31,7 @@ function wordMarkup({ phase, numbers }, judged) {
   const unknown = word === "incomplete" && unknownIn(judged);
   return html`<p class="word ${level || ""} ${soFar && "so-far"}">${sign(level)}${text}</p>
     ${unknown > 0 && html`<p class="note"><button type="button" class="link unknown">${message("checks.unknown", { count: unknown })}</button></p>`}
-    <p class="note">${word !== "pass" && (word ? wordNote(judged) : message(`state.${numbers}Note`))}
+    <p class="note">${word ? wordNote(judged) : message(`state.${numbers}Note`)}
       ${UNANSWERED.includes(phase) && html`<button type="button" class="link again">${message("state.again")}</button>`}</p>`;
 }
 
@@ -163,7 +163,7 @@ export function createNumbers({ calculator }) {
       fill(say, html`${sign(level)}<span>${text}</span>`);
       say.title = level === "warning" ? text : "";
       const judged = shown ? judgedOf(calculator, shown.answer) ?? {} : {};
-      const looked = judged.verdict === "pass" && `${wordNote(judged)}.`;
+      const looked = ["pass", "marginal"].includes(judged.verdict) && `${lookedAt(judged)}.`;
       aside.textContent = [looked, assumedIn(judged), notConsidered(judged)].filter(Boolean).join(" ");
     }),
   };

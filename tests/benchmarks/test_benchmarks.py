@@ -18,6 +18,7 @@ SAYS = {
     "catalogue": "rating over it",
     "compare": "0 requests answered otherwise",
     "fit": "fit: 0 misses",
+    "frame": "first visit",
     "front": "| shaft deflection |",
     "fuzz": "\n0 failures",
     "honesty": "\nhonest",
@@ -40,8 +41,11 @@ SAYS = {
 }
 """What each says last, where all went well."""
 
-ASK = {"attacks", "batches", "page", "ratios", "soak", "studies"}
+ASK = {"attacks", "batches", "frame", "page", "ratios", "soak", "studies"}
 """Those whose matter is not the start of the service: they ask one that runs already."""
+
+CHROMIUM = {"frame", "page"}
+"""Those that open the page."""
 
 APART = {"load", "mutations", "service", "sharing"}
 """Those that need a process of their own: they bind it to a processor, raise its limits, or begin
@@ -56,7 +60,7 @@ def written() -> dict[Path, float]:
 
 @pytest.mark.parametrize(
     "name",
-    [pytest.param(name, marks=pytest.mark.browser) if name == "page" else name for name in SAYS],
+    [pytest.param(name, marks=pytest.mark.browser) if name in CHROMIUM else name for name in SAYS],
 )
 @pytest.mark.filterwarnings("ignore:.*found in sys.modules:RuntimeWarning")  # of another one
 def test_a_benchmark_runs_in_its_smallest_form(
@@ -65,7 +69,7 @@ def test_a_benchmark_runs_in_its_smallest_form(
     monkeypatch: pytest.MonkeyPatch,
     capfd: pytest.CaptureFixture[str],
 ) -> None:
-    if name == "page" and not chromium.path():
+    if name in CHROMIUM and not chromium.path():
         assert not os.environ.get("CI"), "no Chromium"
         pytest.skip("no Chromium on this machine")
     before, command = written(), [f"benchmarks.{name}", "--smallest"]
