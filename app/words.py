@@ -170,8 +170,7 @@ class Words:
             return self.number(value, ALL)
         if isinstance(value, list):
             return "; ".join(map(self.value, value))
-        named = self.said("materials", value) or self.own["option"].get(value)
-        return named or self.said("not_considered", value) or value
+        return self.said("materials", value) or self.own["option"].get(value) or str(value)
 
     def text(self, notice: Mapping[str, Any], field: str = "") -> str:
         """Sentence of a warning or of a reason, whose numbers are those of a field."""

@@ -154,6 +154,7 @@ async function partsOf(id) {
     calculation: calculations.find(({ name }) => `/${name}` === calculator.path),
     calculations,
     exports: exports.filter(({ installed }) => installed).map(({ name }) => `/${name}`),
+    pdf: exports.some(({ media_types: types }) => types.includes("application/pdf")),
     version: openapi.info.version,
   };
 }
@@ -250,6 +251,10 @@ document.addEventListener("keydown", (event) => {
   }
   if (!(event.ctrlKey || event.metaKey) || event.altKey || event.target.closest(".free-text")) return;
   const key = event.key.toLowerCase();
+  if (key === "p" && bench?.exchange()) {
+    event.preventDefault();
+    bench.print().catch((problem) => tell(message("report.failed", { detail: passingText(problem, new Map()) })));
+  }
   const act = key === "y" || (key === "z" && event.shiftKey) ? "redo" : key === "z" ? "undo" : null;
   if (!act || !bench) return;
   event.preventDefault();
@@ -315,7 +320,7 @@ async function loadTools() {
     const [{ createExport }, { createKeys }] = await Promise.all([import("./views/export.js"), import("./views/keys.js")]);
     opensExport = createExport({
       exchange: () => bench?.exchange() ?? null, labels: () => bench.labels(), say,
-      on: { print: (ready) => bench?.print(ready), report: () => bench?.saveReport(), labelled: (...label) => bench?.labelled(...label) },
+      on: { print: (ready) => bench.print(ready), report: (type) => bench.report(type), labelled: (...label) => bench?.labelled(...label) },
     });
     createKeys({ button: bar.tool("help"), about: () => bench?.help() ?? null });
     bar.tool("help").disabled = false;

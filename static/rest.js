@@ -1,32 +1,26 @@
 /**
  * What of a calculator at work stands behind tabs and folds or is opened by hand: the wanted groups, designs compared, all
- * results, worked steps, accuracy, the report, sizing. Loaded once the first figures are drawn (workbench.js).
+ * results, worked steps, accuracy, sizing. Loaded once the first figures are drawn (workbench.js).
  */
 import { element, html } from "./lib/html.js";
 import { message } from "./messages/index.js";
-import { problemText } from "./service_texts.js";
-import { following, tabbed } from "./store.js";
+import { following } from "./store.js";
 import { createAccuracy } from "./views/accuracy.js";
 import { createCompare } from "./views/compare.js";
 import { nameFiles } from "./views/files.js";
 import { remembering } from "./views/fold.js";
-import { createReport } from "./views/report.js";
 import { createResults } from "./views/results.js";
 import { createSizing } from "./views/sizing.js";
-import { ALL, createWanted } from "./views/wanted.js";
+import { createWanted } from "./views/wanted.js";
 import { createWorked } from "./views/worked.js";
 
-const LOOK_MS = 50;
-
 /**
- * `figures` are those of the report, which the wanted groups join. `on.opened(input, labels,
- * claim)` takes a design over, `on.applied(sets)` values, `on.compared()` follows the kept designs, `on.told(text)`
- * says what was done, `on.themed(theme)` has the figures drawn anew, with none given as they were.
+ * `on.opened(input, labels, claim)` takes a design over, `on.applied(sets)` values, `on.compared()` follows the kept designs.
  */
-export function createRest({ store, inputs, outputs, panels, client, designs, version, calculation, calculations, figures, figureOf, on }) {
-  const { calculator, model, titles, catalogues } = store.state.about;
+export function createRest({ store, inputs, outputs, panels, client, designs, version, calculation, calculations, figureOf, on }) {
+  const { calculator, model, titles } = store.state.about;
   const sizing = createSizing({ calculator, client, titles, on: { applied: on.applied } });
-  const wanted = createWanted({ calculator, store, panels, inputs, client, titles, figures, calculations });
+  const wanted = createWanted({ calculator, store, panels, inputs, client, titles, calculations });
   const compare = createCompare({
     model,
     calculator,
@@ -55,17 +49,6 @@ export function createRest({ store, inputs, outputs, panels, client, designs, ve
   const rest = element(html`<div class="rest"></div>`);
   rest.append(worked.root, accuracy.root);
   outputs.append(rest);
-  const explored = ["sweep", "sensitivity"];
-  const apart = ["compare", "results", ...explored];
-  const busy = () => Object.values(store.state.besides).some(({ phase }) => phase === "computing");
-  /** Have all that stands behind the tabs asked for and drawn. */
-  async function whole() {
-    panels.all(apart);
-    store.apply(tabbed, ALL);
-    while (busy()) await new Promise((resolve) => setTimeout(resolve, LOOK_MS));
-    await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve))); // then the figures see that they have room
-    await Promise.all(figures.map((figure) => figure.settled()));
-  }
   let exploring = null; // once a field's menu has asked for it
   let closed = false;
   /** Sweeps and sensitivities, loaded when the first is opened. */
@@ -80,28 +63,11 @@ export function createRest({ store, inputs, outputs, panels, client, designs, ve
     });
     return exploring;
   }
-  const report = createReport({
-    calculator, model, catalogues, version, outputs, figures, worked,
-    shown: () => store.state.shown,
-    whole,
-    light: () => {
-      on.themed("light");
-      return whole();
-    },
-    open: (whole) => panels.all(whole ? ["compare", ...explored] : apart),
-    back() {
-      on.themed();
-      panels.show(true);
-    },
-    failed: (problem) => on.told(message("report.failed", { detail: problemText(problem, titles) })),
-  });
   store.show([
     wanted, compare, results, worked, ...measured, accuracy,
     { update: following(({ typed }) => [typed.texts.title ?? ""], ({ typed }) => nameFiles(typed.texts.title ?? "")) },
   ]);
   return {
-    print: (ready) => report.print(ready),
-    save: () => report.save(),
     /** Show the designs side by side. */
     compare: () => panels.open("compare"),
     /** What a field's menu offers. */
@@ -114,7 +80,6 @@ export function createRest({ store, inputs, outputs, panels, client, designs, ve
       closed = true;
       sizing.close();
       exploring?.then(({ close }) => close());
-      report.close();
       wanted.close();
       worked.close();
       for (const figure of measured) figure.close();

@@ -36,12 +36,6 @@ const loadRest = async () => {
   ({ createRest: makeRest } = await import("./rest.js"));
 };
 
-/** The last request of an answer as a spreadsheet. */
-function sheetOf({ requests }) {
-  const { path, body } = requests.at(-1);
-  return { id: "xlsx", path: "/export/xlsx", body: { calculation: path.slice(1), input: body } };
-}
-
 /** A field lights its dimension in the drawing, and a dimension its field. */
 function lightEachOther(form, drawing) {
   for (const event of ["pointerover", "focusin"]) {
@@ -60,7 +54,7 @@ function lightEachOther(form, drawing) {
  * empty one is, `on.named(title, usual, why)` what it is called, `on.address(query)`, `on.history(canUndo, canRedo)`, `on.whole()` that all of the page is there, `on.say(text)` and `on.tell(text)`, which all see,
  * tell the page around it.
  */
-export function openWorkbench({ host, calculator, model, modelFor, client, examples, catalogues, designs, version, calculation, calculations, exports, typed, claim, history, lengths, on }) {
+export function openWorkbench({ host, calculator, model, modelFor, client, examples, catalogues, designs, version, calculation, calculations, exports, pdf, typed, claim, history, lengths, on }) {
   const named = (wanted) => [...model.fields.values()].filter((field) => Boolean(field.wanted) === wanted).map(({ name, title }) => [name, title]);
   const titles = new Map([
     ...named(true), ...Object.entries(message("quantity")), ...named(false),
@@ -220,6 +214,17 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     date: new Date().toISOString().slice(0, 10),
     link: location.href,
   });
+  /** The calculation of the results on the screen, and what it was asked. */
+  const calculated = () => {
+    const { path, body: input } = store.state.shown.requests.at(-1);
+    return { calculation: path.slice(client.base.length + 1), input };
+  };
+  /** The report of the results on the screen as the service writes it, `{ name, content }`, of a media type. */
+  const report = (type) => {
+    const { calculation, input: { include, ...input } } = calculated();
+    const block = { ...titleBlock(), note: store.state.typed.texts.note ?? "" };
+    return client.file("/export/report", { calculation, input, language: document.documentElement.lang, title_block: block }, type);
+  };
   const keep = () => {
     if (!store.state.shown) return;
     if (designs.of(calculator.id).length >= MOST) {
@@ -291,7 +296,6 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
   addEventListener("online", () => asking.now(), { signal: listening.signal });
 
   let begun = false; // from then on everything keeps its place, and its focus, while it computes
-  const retheme = (theme = currentTheme()) => store.apply(next.themed, theme);
   store.show([
     notice,
     form,
@@ -318,13 +322,11 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
   const addRest = () => {
     if (listening.signal.aborted) return;
     rest = makeRest({
-      store, inputs, outputs, panels, client, designs, version, calculation, calculations, figures: [...figures], figureOf,
+      store, inputs, outputs, panels, client, designs, version, calculation, calculations, figureOf,
       on: {
         opened: (input, labels, claim) => take(stateOf(input, labels), claim),
         applied: apply,
         compared: () => asking.compare(),
-        told: on.tell,
-        themed: retheme,
       },
     });
     on.whole();
@@ -345,7 +347,7 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     },
     /** To the first box. */
     begin: () => lead(shownFields(model, store.state.typed)[0].path),
-    retheme: () => retheme(),
+    retheme: () => store.apply(next.themed, currentTheme()),
     undo: () => changeAtOnce(next.steppedBack),
     redo: () => changeAtOnce(next.steppedOn),
     keep,
@@ -356,9 +358,13 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       const chosen = [document.activeElement?.closest(card), pointed, drawing.root].find((one) => one && outputs.contains(one));
       if (chosen && !document.querySelector("dialog[open]")) enlarge(chosen);
     },
-    /** `ready()` is told just before. */
-    print: (ready) => asking.settled().then(() => rest?.print(ready)),
-    saveReport: () => asking.settled().then(() => rest?.save()),
+    report,
+    /** Print the report; `ready()` is told just before. Nothing where there are no results. */
+    print: (ready = () => {}) => store.state.shown && report("text/html").then(async ({ content }) => {
+      const { printReport } = await import("./views/report.js");
+      ready();
+      return printReport(content);
+    }),
     /** What helps to read the page: its symbols, each once, and what the model leaves out. */
     help() {
       const inputs = [...model.fields.values()].flatMap((field) => [field, ...field.columns ?? []])
@@ -375,8 +381,9 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     exchange: () => store.state.shown && {
       calculator: calculator.id,
       ...store.state.shown,
+      pdf,
       answer: next.answerNow(store.state),
-      files: [sheetOf(store.state.shown), ...calculator.files?.(store.state.shown, store.state.turn.angle ?? 0) ?? []]
+      files: [{ id: "xlsx", path: "/export/xlsx", body: calculated() }, ...calculator.files?.(store.state.shown, store.state.turn.angle ?? 0) ?? []]
         .filter(({ path }) => exports.includes(path))
         .map(({ id, path, titled, body }) => ({ id, make: () => client.file(path, titled ? { ...body, title_block: titleBlock() } : body) })),
       refused: (problem) => problemText(problem, titles),

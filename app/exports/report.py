@@ -9,6 +9,7 @@ from typing import Annotated, Any, NamedTuple, NoReturn
 
 from pydantic import Field, TypeAdapter, ValidationError
 
+from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.exports.drawn import MADE_BY
 from app.exports.dxf import DxfRequest, TitleBlock
 from app.exports.picture import picture
@@ -86,6 +87,14 @@ class ReportRequest(SheetRequest):
     )
     worked: bool = False
     """Worked steps at the end of the report."""
+
+    @cached_property
+    def asked(self) -> RequestModel:
+        """Request of the calculation with checks, worked steps, and a reducer's largest torque."""
+        own = super().asked
+        if not isinstance(own, CrankPlanetaryRequest):
+            return own
+        return own.model_copy(update={"include": [*(own.include or ()), "largest_torque"]})
 
     @property
     def plain(self) -> Values:
@@ -304,6 +313,8 @@ class Report:
         plain = self.body.input["input"] if swept else self.body.plain
         rows: dict[tuple[str, ...], list[Row]] = {}
         for row in self.schema.rows(plain):
+            if row.path[-1] in ASKING:
+                continue
             rows.setdefault(_named(row), []).append(row)
         tables: dict[str, list[Line]] = {}
         for own in rows.values():
@@ -322,7 +333,10 @@ class Report:
     def _input(self, rows: list[Row]) -> Line:
         """An input, of the entries of a list together."""
         name, said = rows[0].path[-1], rows[0].said
-        each = ["; ".join(map(self.words.value, row.values)) for row in rows]
+        say = self.words.value
+        if name == "scope":
+            say = partial(self.words.said, "not_considered")
+        each = ["; ".join(map(say, row.values)) for row in rows]
         value = self._with_unit("; ".join(dict.fromkeys(each)), name)
         return Line(
             self.words.field(name, said.get("x-group", "")), said.get("x-symbol", ""), value

@@ -75,7 +75,7 @@ async function fileOf(response) {
 /**
  * `get(path)` and `post(path, body, { signal, query })` below `base`, which is below the page; with `progressed(share, found)`
  * the answer may come as lines that say how far it is and what was found; what is posted `aside` waits for all else that is posted, gives way
- * to it, and is asked again. `file(path, body)` answers `{ name, content }`.
+ * to it, and is asked again. `file(path, body, type)` answers `{ name, content }`.
  */
 export function createClient({ base = "/api/v1", fetch = globalThis.fetch } = {}) {
   async function ask(path, options, read = saidBy) {
@@ -136,7 +136,7 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch } = {}
       );
       return waits ? aside(asked, signal) : first(asked);
     },
-    file: (path, body) => first(() => ask(path, sending(body, "*/*"), fileOf)),
+    file: (path, body, type = "*/*") => first(() => ask(path, sending(body, type), fileOf)),
   };
 }
 

@@ -211,10 +211,10 @@ export function createFigure({ figure: about, client, titles, on = ALONE }) {
     drawing = draw();
   });
   sizes.observe(canvas);
-  root.addEventListener("resized", () => plot.drawn() && plot.fit(null));
+  root.addEventListener("resized", () => plot.drawn() && plot.fit());
 
-  const picture = async (format, width) =>
-    pictureOf(shaped(await post(latest, "light"), "light"), { title, format, width, height: heightOf(latest.filled) });
+  const picture = async (format) =>
+    pictureOf(shaped(await post(latest, "light"), "light"), { title, format, height: heightOf(latest.filled) });
 
   async function fileOf(kind) {
     if (kind !== "csv") return [await picture(kind)];
@@ -267,22 +267,8 @@ export function createFigure({ figure: about, client, titles, on = ALONE }) {
   return {
     root,
     id: figure.id,
-    measured: Boolean(figure.onDemand),
-    picture,
-    known: () => latest !== null && !measure,
     /** When what is to be drawn is drawn. */
     settled: () => drawing,
-    /** Fit what is drawn to paper, at once, `tall(height)` of its height on the screen; `fromPaper` undoes it. */
-    toPaper(width, tall) {
-      if (!plot.drawn() || tabled || canvas.clientWidth === 0) return;
-      root.dataset.drawn = latest.theme;
-      plot.fit({ width, height: tall(heightOf(latest.filled)) });
-    },
-    fromPaper() {
-      if (!root.dataset.drawn) return;
-      delete root.dataset.drawn;
-      plot.fit(null);
-    },
     update(state) {
       for (const update of updates) update(state);
     },

@@ -12,7 +12,7 @@ const NONE = []; // no kept design is drawn over it
  * The calculator's `logic` has the `figure`, of the body that was asked and only where its answer can be drawn (`drawable`),
  * its `note`, and `cells`, `sentences`, `rows` and `tables` of an answer; `more` stands under all.
  */
-export function createView({ id, client, titles, figures, logic, more = null }) {
+export function createView({ id, client, titles, logic, more = null }) {
   const root = element(html`
     <div class="${id}"><p class="state"></p>
       <dl class="numbers"></dl><ul class="sentences"></ul>
@@ -23,7 +23,6 @@ export function createView({ id, client, titles, figures, logic, more = null }) 
   root.append(figure.root);
   if (logic.note) root.append(element(html`<p class="figure-note">${message(logic.note)}</p>`));
   if (more) root.append(more);
-  figures.push(figure);
   let drawn = {}; // of the figure: the body, and the results in the shape that it takes
 
   const numbers = following(({ answer, of }) => [answer, of], ({ answer, body }) => {

@@ -20,12 +20,9 @@ export function createPanels({ id, drawing, tall = false, on }) {
   const all = new Map(); // by name, `{ tab, panel, offered }`
   let wished = lasting.getItem(kept);
   let open = null;
-  let together = false; // all are open, for paper, whose height is none of the screen's
 
-  /** Show the tab that is wanted; `again` after all were open. */
-  function show(again = false) {
-    if (together && !again) return;
-    together = false;
+  /** Show the tab that is wanted. */
+  function show() {
     const names = [...all].filter(([, { offered }]) => offered).map(([name]) => name);
     const next = names.includes(wished) ? wished : names.find((name) => name !== DRAWING || shares());
     for (const [name, { tab, panel, offered }] of all) {
@@ -34,7 +31,7 @@ export function createPanels({ id, drawing, tall = false, on }) {
       tab.tabIndex = name === next ? 0 : -1;
       panel.hidden = name !== next && (name !== DRAWING || shares());
     }
-    if (next === open && !again) return;
+    if (next === open) return;
     open = next;
     on.opened(open);
   }
@@ -86,12 +83,6 @@ export function createPanels({ id, drawing, tall = false, on }) {
       all.get(name).offered = offered;
       show();
     },
-    /** All that are offered are open at once, for paper, but those named; `show` undoes it. */
-    all(but = []) {
-      together = true;
-      for (const [name, { panel, offered }] of all) panel.hidden = !offered || but.includes(name);
-    },
-    show,
     close: () => LOW.removeEventListener("change", place),
   };
 }

@@ -27,7 +27,7 @@ function stacked({ data, layout }) {
   };
 }
 
-export function createView({ id, section, client, titles, figures, calculations, logic }) {
+export function createView({ id, section, client, titles, calculations, logic }) {
   const root = element(html`<div class="part"><p class="state"></p><dl class="numbers"></dl><div class="all"></div>
     <p class="left-out note"></p></div>`);
   const path = logic.figure?.path ?? `${logic.path}/`;
@@ -41,7 +41,6 @@ export function createView({ id, section, client, titles, figures, calculations,
   const drawing = logic.drawing && createDrawingView({ calculator, on: {} });
   if (drawing) part("all").before(drawing.root);
   if (figure) part("left-out").before(figure.root);
-  if (figure) figures.push(figure);
   const bounds = logic.bounds && createBounds({ bounds: logic.bounds, client, titles });
   if (bounds) part("left-out").before(bounds.root);
 

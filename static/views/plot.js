@@ -142,12 +142,8 @@ export function createPlot({ label, follows, picked, clicked }) {
       moveCursor();
       if (other) Plotly.restyle(root, emphasis(root.data));
     },
-    /** Fit what is drawn to paper, at once, the names of its rows to their height; null undoes it. */
-    fit(size) {
-      Plotly.relayout(root, size ? { autosize: false, ...size } : { autosize: true, width: null, height: null, "yaxis.tickfont.size": null });
-      const { tickvals: rows = [], tickfont, _length: tall } = root._fullLayout.yaxis ?? {};
-      if (size && tickfont && tall < rows.length * tickfont.size) Plotly.relayout(root, { "yaxis.tickfont.size": tall / rows.length });
-    },
+    /** Fit what is drawn to its place. */
+    fit: () => Plotly.relayout(root, { autosize: true, width: null, height: null }),
     purge: () => Plotly?.purge(root),
   };
 }

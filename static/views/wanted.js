@@ -6,12 +6,8 @@ import { element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { besided, wants } from "../store.js";
 
-/** What is open while everything is, for a report. */
-export const ALL = "all";
-
 /**
- * The rest are `{ store, inputs, client, titles, figures, calculations }` for the views; a figure of theirs joins `figures`,
- * those of the report. What starts a group that is run stands with its fields, in `inputs`.
+ * The rest are `{ store, inputs, client, titles, calculations }` for the views. What starts a group that is run stands with its fields, in `inputs`.
  */
 export function createWanted({ calculator, panels, ...parts }) {
   const all = [...calculator.beside ?? [], ...calculator.wanted ?? []].filter(({ load }) => load);
@@ -29,7 +25,7 @@ export function createWanted({ calculator, panels, ...parts }) {
     if (!loaded) group.loading = null; // the next change tries again
     if (!loaded || closed) return;
     const [[logic, { createView }], { createBeside }] = loaded;
-    const shows = (state) => group.shows(state) && [group.id, ALL].includes(state.tab);
+    const shows = (state) => group.shows(state) && group.id === state.tab;
     group.asking = createBeside?.({ ...parts, ...group, logic, shows });
     group.view = createView({ ...parts, ...group, logic, open: () => panels.open(group.id) });
     group.place.append(group.view.root);

@@ -102,7 +102,6 @@ export function createWorked({ calculator, client, titles }) {
   const newest = newestOnly();
   let shown = null; // the results on the screen
   let known = new Map(); // their steps, by section
-  let opened = []; // for paper only
 
   const all = () => [...host.querySelectorAll("details")];
   const sectionOf = ({ dataset }) => dataset.section;
@@ -156,17 +155,6 @@ export function createWorked({ calculator, client, titles }) {
       for (const details of all().filter(({ open }) => !open)) fill(details.querySelector(".worked-steps"), html``);
       show(unfolded());
     }),
-    /** Have all steps, for a report with everything. */
-    ready: () => show(all()),
-    /** Open everything whose steps are there, for paper; `fold` undoes it. */
-    unfold() {
-      opened = all().filter((details) => !details.open && known.has(sectionOf(details)));
-      for (const details of opened) details.open = true;
-    },
-    fold() {
-      for (const details of opened) details.open = false;
-      opened = [];
-    },
     close: () => newest.cancel(),
   };
 }

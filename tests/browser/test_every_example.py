@@ -1,4 +1,4 @@
-"""Every example of the page taken along: report, print, JSON, CSV, DXF, each looked into."""
+"""Every example of the page taken along: report, JSON, CSV, DXF, each looked into."""
 
 import csv
 import io
@@ -12,17 +12,15 @@ import ezdxf
 import httpx
 import pytest
 from playwright.sync_api import Browser, Page, expect
+from pypdf import PdfReader
 
 from core.precision import AS_TYPED
 from tests.browser.calculator_page import (
     exported,
-    number,
     picked,
-    printed,
     saved,
     settled,
     show,
-    text_of,
 )
 
 CALCULATIONS = {
@@ -38,7 +36,6 @@ PARTS = {
     "vijayanathan-29-to-1": 6,  # one plate
     "xw3-43-to-1": 6,
 }
-PAPER_PX = 688  # A4 less the margins
 MOST_PAGES = 4
 
 COVERED = """() => {
@@ -72,13 +69,9 @@ COVERED = """() => {
 }"""
 """What lies on something else: words on words, a figure on words or on a figure."""
 
-GIVEN = """() => Object.fromEntries([...document.querySelectorAll(".given [data-path]")]
-  .map((row) => [row.dataset.path, row.querySelector(".value").textContent]))"""
-CODES = "() => [...document.querySelectorAll('.check')].map((row) => row.dataset.code)"
-SAID = """() => [".given th", ".check:not([data-status=not_applicable]) .check-title"]
-  .flatMap((each) => [...document.querySelectorAll(each)])
-  .map((one) => [...one.childNodes].filter(({ className }) => className !== "unseen")
-    .map(({ textContent }) => textContent).join(""))"""
+JUDGED = ("pass", "marginal", "fail")
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
+PLAIN = str.maketrans("−⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "--0123456789", "\u202f")
 
 
 def leaves(part: Any, path: str = "") -> Iterator[tuple[str, Any]]:
@@ -103,11 +96,6 @@ def given_by(example: dict[str, Any]) -> dict[str, Any]:
     return given
 
 
-def plain(text: str) -> str:
-    """Words without what a line's end does to them."""
-    return re.sub(r"[\s\u00ad\u202f-]", "", text)
-
-
 @pytest.mark.parametrize("calculator", CALCULATIONS)
 def test_every_example_is_taken_along_whole(
     page: Page, browser: Browser, service: str, calculator: str
@@ -123,19 +111,19 @@ def test_every_example_is_taken_along_whole(
         settled(page)
         expect(page.locator(".outputs [data-stale=true]:visible")).to_have_count(0)
         given = given_by(example)
-        codes = the_numbers_are_taken_along(page, example["id"], given)
-        the_saved_report_has_them(page, reader, example["id"], given, codes)
-        the_print_has_them(page, example["id"], reader.evaluate(SAID))
+        checks = the_numbers_are_taken_along(page, example["id"], given)
+        the_report_has_them(page, reader, example["id"], given, checks)
     alone.close()
 
 
-def the_numbers_are_taken_along(page: Page, name: str, given: dict[str, Any]) -> list[str]:
-    """JSON, CSV and, of teeth, DXF; the codes of all checks that were answered."""
+def the_numbers_are_taken_along(page: Page, name: str, given: dict[str, Any]) -> list[Any]:
+    """JSON, CSV and, of teeth, DXF; all checks that were answered."""
     page.get_by_role("button", name="Export").click()
     requests = json.loads(saved(page, page.locator("[data-do=json]")).read_text())["requests"]
     asked = dict(leaves(requests[-1]["body"]))
     assert {path: asked.get(path) for path in given} == given, name
-    codes = [check["code"] for one in requests for check in one["answer"].get("checks", [])]
+    checks = [check for one in requests for check in one["answer"].get("checks", [])]
+    codes = [check["code"] for check in checks]
 
     text = saved(page, page.locator("[data-do=csv]")).read_text()
     head, *rows = csv.reader(io.StringIO(text))
@@ -160,44 +148,26 @@ def the_numbers_are_taken_along(page: Page, name: str, given: dict[str, Any]) ->
                 assert len(drawing.modelspace()) > 0, (name, piece)
                 assert not drawing.audit().has_errors, (name, piece)
     page.keyboard.press("Escape")
-    return codes
+    return checks
 
 
-def the_saved_report_has_them(
-    page: Page, reader: Page, name: str, given: dict[str, Any], codes: list[str]
+def the_report_has_them(
+    page: Page, reader: Page, name: str, given: dict[str, Any], checks: list[Any]
 ) -> None:
     reader.set_content(exported(page, "report").read_text())
-    rows = reader.evaluate(GIVEN)
-    listed = reader.locator(".given .data td").all_text_contents()
+    listed = reader.locator(".tables td.number").all_text_contents()
+    numbers = [
+        float(one)
+        for text in listed
+        for one in NUMBER.findall(text.translate(PLAIN).replace("×10", "e"))
+    ]
     for path, value in given.items():
-        shown = rows.get(re.sub(r"\[(\d+)\]", r".\1", path))
-        if isinstance(value, int | float) and not isinstance(value, bool):
-            numbers = map(number, listed if shown is None else [shown])
-            assert pytest.approx(value, rel=AS_TYPED) in numbers, (name, path)
-        else:
-            assert shown, (name, path)
-    assert sorted(reader.evaluate(CODES)) == sorted(codes), name
-    figures = page.locator(".figure:not(:has(.measure), [hidden]):visible").count()
-    assert reader.locator(".canvas > svg").count() >= figures, name
+        for one in value if isinstance(value, list) else [value]:
+            if isinstance(one, int | float) and not isinstance(one, bool):
+                assert pytest.approx(one, rel=AS_TYPED) in numbers, (name, path)
+    shown = {row.get_attribute("data-code") for row in reader.locator("[data-code]").all()}
+    assert {each["code"] for each in checks if each["status"] in JUDGED} <= shown, name
     assert reader.evaluate(COVERED) == [], name
-
-
-def the_print_has_them(page: Page, name: str, said: list[str]) -> None:
-    pdf = printed(page)
-    if len(pdf.pages) > MOST_PAGES:  # seen once on a busy machine; the cause is not known
-        page.wait_for_timeout(3000)
-        pdf = printed(page)
-    assert 2 <= len(pdf.pages) <= MOST_PAGES, (name, len(pdf.pages))
-    text = plain(text_of(pdf))
-    assert [words for words in said if plain(words) not in text] == [], name
-    page.emulate_media(media="print")
-    page.evaluate(
-        "(width) => { document.body.style.width = `${width}px`;"
-        " dispatchEvent(new Event('beforeprint')); }",
-        PAPER_PX,
+    assert len(PdfReader(io.BytesIO(reader.pdf(prefer_css_page_size=True))).pages) <= MOST_PAGES, (
+        name
     )
-    assert page.evaluate(COVERED) == [], name
-    page.evaluate(
-        "() => { dispatchEvent(new Event('afterprint')); document.body.style.width = ''; }"
-    )
-    page.emulate_media(media="null")

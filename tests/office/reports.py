@@ -38,7 +38,7 @@ def main(folder):
             ran("pdftoppm", "-r", "80", "-png", file, file.with_suffix(""))
             pages = len([*folder.glob(f"{file.stem}-*.png")])
             print(f"{file.name}: {pages} pages")
-            assert pages <= most
+            assert pages <= most, file
 
 
 if __name__ == "__main__":

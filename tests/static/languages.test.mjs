@@ -22,7 +22,7 @@ const textsOf = async (language) => (await import(`../../static/messages/${langu
 const OWN = ["unit"];
 // Latin words that stay: keys, formats, programs, standards and their designations, US units, functions.
 const LATIN = new RegExp(String.raw`\([A-Z][\w, -]*\)|\b(${[
-  "Enter", "Esc", "Ctrl", "Alt", "Shift", "KHV Calc", "CSV", "DXF", "XLSX", "STEP", "JSON", "curl", "Python", "psi", "lbf", "sin", "cos", "tan", "true", "false", "tanh-sinh",
+  "Enter", "Esc", "Ctrl", "Alt", "Shift", "KHV Calc", "CSV", "PDF", "DXF", "XLSX", "STEP", "JSON", "curl", "Python", "psi", "lbf", "sin", "cos", "tan", "true", "false", "tanh-sinh",
   "QUADPACK", "PEEK", "ISO", "DIN", "arcsin", "HBW", "CuSn", "KISSsoft", "SKF", "IKO", "MITCalc", "Roloff/Matek", "Zaretsky", "Autodesk Inventor",
   "Johnson, Contact Mechanics", "Shigley, Mechanical Engineering Design", "Shigley", "Wang, Luo, Su", "Tribology Handbook",
   "PLA", "PETG", "ABS", "PA6-CF", "SAE", "McEwen",
