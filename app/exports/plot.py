@@ -22,7 +22,7 @@ LETTER = 4.3
 LINE, ABOVE, BELOW, LEFT, RIGHT = 11.0, 11.0, 26.0, 34.0, 9.0
 """Height of a line of the legend, and room around panels, px."""
 
-LEAST, SQUARE, BESIDE, SCALE = 38.0, 150.0, 92.0, 0.27
+LEAST, SQUARE, BESIDE, SCALE = 35.0, 150.0, 84.0, 0.25
 """Least height of a panel, heights of one with equal scales, alone and beside another, px; height
 of others over that on the screen."""
 
