@@ -1,6 +1,7 @@
 """Report of a calculation: verdict, drawing, checks, inputs, results, curves, as HTML or PDF."""
 
 import re
+import unicodedata
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import cache, cached_property, partial
@@ -44,6 +45,9 @@ NO_RESULTS = frozenset(
 )
 """Parts of an answer that are said elsewhere, or are no results."""
 
+PARTED = ("x", "y", "z", "total")
+"""Parts of a result that are shown together."""
+
 MOST_OF_A_LIST = 4
 """Largest number of entries of a list among the results."""
 
@@ -61,6 +65,8 @@ HEADINGS = {
     "crankshaft": ("section", "crankshaft"),
     "rollers": ("section", "rollers"),
     "build": ("section", "envelope"),
+    "wheel": ("group", "rollers"),
+    "shaft_sections": ("group", "shaft"),
     "tolerances": ("own", "study.on", "title"),
     "deviations": ("own", "real.on", "title"),
     "contact_law": ("own", "teeth.contact_law", "title"),
@@ -183,6 +189,11 @@ class Report:
         """Parts of a reducer."""
         found: list[Values] = self.answer.get("parts", [])
         return found
+
+    @property
+    def nothing_breaks(self) -> bool:
+        """True if nothing that could break was judged, and the verdict is incomplete therefore."""
+        return self.answer["verdict"] == "incomplete" and not self.deciding
 
     @property
     def largest_torque(self) -> str:
@@ -326,7 +337,7 @@ class Report:
     def _heading(self, row: Row) -> str:
         """Heading of an input."""
         section = row.path[0] if len(row.path) > 1 else row.said.get("x-group", "")
-        if section in HEADINGS:
+        if section in HEADINGS and len(row.path) > 1:
             return self.said(*HEADINGS[section])
         return self.said("group", section if section in self.words.own["group"] else "more")
 
@@ -366,7 +377,8 @@ class Report:
         for row in Schema(self.calculation.answer, "description").rows(parts):
             if NO_RESULTS.isdisjoint(row.path):
                 path = _named(row)
-                path = path[:-1] if path[-2:-1] and path[-2].endswith("pair") else path
+                whole = path[-1] in PARTED or (path[-2:-1] and path[-2].endswith("pair"))
+                path = path[:-1] if whole else path
                 rows.setdefault(path, []).append(row)
         tables: dict[str, list[Line]] = {}
         for path, own in rows.items():
@@ -390,6 +402,8 @@ class Report:
         if name.endswith("pair"):
             at = {row.path[-1]: row.values[0] for row in rows}
             return Line(title, "", self.said("results", "pair", **at))
+        parts = [row.path[-1] for row in rows if row.path[-1] in PARTED]
+        title += ": " + "; ".join(self.words.result(each) for each in parts) if parts else ""
         value = "; ".join(self._number(each, name) for each in dict.fromkeys(numbers))
         return Line(title, rows[0].said.get("x-symbol", ""), self._with_unit(value, name))
 
@@ -410,10 +424,16 @@ class Report:
             rows = [[*row, value] for row in rows for value in each["values"]]
         columns = zip(*outputs.values(), strict=True)
         shown = [
-            [self.words.number(each) if each is not None else "–" for each in (*row, *found)]
+            [*map(self._point, heads, (*row, *found))]
             for row, found in zip(rows, columns, strict=True)
         ]
         return [[self._pointed(each) for each in heads], *shown]
+
+    def _point(self, pointer: str, value: float | None) -> str:
+        """Value at a point of a sweep, shares of a limit in per cent."""
+        if value is None:
+            return "–"
+        return self.words.number(100 * value if pointer.endswith("/utilisation") else value)
 
     def _pointed(self, pointer: str) -> str:
         """Title of what a pointer of a sweep names, with its unit."""
@@ -481,13 +501,13 @@ class Report:
     def step_way(self, step: Values) -> str:
         """Formula of a step, or the words of its method."""
         if "formula" in step:
-            return f"{step['symbol']} = {step['formula'].replace('*', '·')}"
+            return _greek(f"{step['symbol']} = {step['formula'].replace('*', '·')}")
         return self.words.worked(step["method"], step.get("params", {}))
 
     def step_numbers(self, step: Values) -> str:
         """Numbers that go into a step."""
         return "; ".join(
-            f"{symbol} = {self.words.quantity(value, shown_unit(step['names'][symbol]), 6)}"
+            f"{_greek(symbol)} = {self.words.quantity(value, shown_unit(step['names'][symbol]), 6)}"
             for symbol, value in step["values"].items()
         )
 
@@ -504,6 +524,20 @@ class Report:
 def _named(row: Row) -> tuple[str, ...]:
     """Path of a quantity without the numbers of entries of lists."""
     return tuple(each for each in row.path if not each.isdigit())
+
+
+def _greek(formula: str) -> str:
+    """Formula with Greek letters in place of their names."""
+
+    def letter(found: re.Match[str]) -> str:
+        case = "CAPITAL" if found[0][0].isupper() else "SMALL"
+        name = found[0].upper().replace("LAMBDA", "LAMDA")
+        try:
+            return unicodedata.lookup(f"GREEK {case} LETTER {name}")
+        except KeyError:
+            return found[0]
+
+    return re.sub(r"[A-Za-z]{2,}", letter, formula)
 
 
 class _Titles:
