@@ -14,12 +14,10 @@ from tests.browser.calculator_page import (
     foreign,
     number,
     open_rows,
-    printed,
     reopen,
     settled,
     show,
     tab,
-    text_of,
     words_at,
 )
 from tests.browser.conftest import Watch
@@ -400,13 +398,10 @@ def test_strength_and_life_from_the_switch_to_the_cure(page: Page, service: str)
     page.locator(".fixes button", has_text="Output torque").click()
     expect(page.locator(".word")).not_to_contain_text("Fails")
     settled(page)
-    # Worked, on paper, in a link, in another language.
+    # Worked, in a link, in another language.
     steps = page.locator('.worked [data-section="crankshaft"]')
     steps.locator("summary").click()
     expect(steps.locator("math").first).to_be_visible()
-    text = text_of(printed(page))
-    for words in ("Fatigue notch factor", "Largest reaction at A", "Bearings of the shaft"):
-        assert words in text, words
     page.set_viewport_size({"width": 320, "height": 800})
     page.goto(f"{address(page)}&lang=uk")
     settled(page)
