@@ -89,9 +89,7 @@ def key(page: Page, service: str) -> float:
     before = spent()
     for text in KEYS:
         page.locator(f'[data-path="{TYPED}"] .box').evaluate(TYPE, text)
-        page.wait_for_timeout(100)
-        settled(page)
-        page.wait_for_timeout(1500)
+        page.wait_for_timeout(3000)  # to wait for an element would be work for the page
     return (spent() - before) / len(KEYS)
 
 
