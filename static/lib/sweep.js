@@ -1,22 +1,37 @@
-/** A result over one input, and inputs that matter: what is asked of the service and what its answer says. No DOM. */
+/** A result over one input or two, and inputs that matter: what is asked of the service and what its answer says. No DOM. */
 import { SERIES } from "./chart.js";
 import { judgedOf, pathOf, titleOf } from "./checks.js";
 import { ALL, formatNumber, formatQuantity, tidy, unitOf } from "./format.js";
+import { fieldsOf } from "./schema_form.js";
 import { designOf, targetsOf, valueIn } from "./sizing.js";
 import { shownUnit, shownValue } from "./units.js";
 import { message, quantityTitle, said } from "../messages/index.js";
 
 const GOVERNING = "/checks/governing/utilisation";
 const [AROUND, POINTS, COUNTED] = [0.3, 13, 3]; // to both sides: a share of the value, or so many where it is counted
+const FEW = 4; // lines of a second input
 const MOST = 12; // inputs
+const [PIN, ECCENTRICITY] = ["/contact/pin_radius_mm", "/contact/eccentricity_mm"];
+/** How much inputs move with those that vary. */
+const LINKED = { "/contact/hole_radius_mm": { [PIN]: 1, [ECCENTRICITY]: 1 }, "/pin/diameter_mm": { [PIN]: 2 } };
 
-/** From where to where a field is swept unless something else is said, in canonical units. */
-export function rangeOf(field, shown) {
+const pointerOf = ({ path }) => `/${path.replaceAll(".", "/")}`;
+
+/** Fields that may be swept beside another one, by their groups: `[title, fields]`. */
+export function sweptBeside(model, shown, field) {
+  const swept = (one) => one !== field && ["number", "integer"].includes(one.kind) && valueIn(shown, one) !== undefined;
+  return model.groups.map(({ id, wanted, items }) => [wanted ? items[0].title : message(`group.${id}`), items.flatMap(fieldsOf).filter(swept)])
+    .filter(([, fields]) => fields.length > 0);
+}
+
+/** From where to where a field is swept unless something else is said, in canonical units; `few` lines of it. */
+export function rangeOf(field, shown, few) {
   const value = valueIn(shown, field);
   const within = (number) => Math.min(Math.max(number, field.lowest ?? -Infinity), field.highest ?? Infinity);
-  if (field.kind === "integer") return { from: within(value - COUNTED), to: within(value + COUNTED), steps: 2 * COUNTED + 1 };
+  const counted = few ? 1 : COUNTED;
+  if (field.kind === "integer") return { from: within(value - counted), to: within(value + counted), steps: 2 * counted + 1 };
   const by = AROUND * (Math.abs(value) || 1);
-  return { from: within(tidy(value - by)), to: within(tidy(value + by)), steps: POINTS };
+  return { from: within(tidy(value - by)), to: within(tidy(value + by)), steps: few ? FEW : POINTS };
 }
 
 /** What may be followed over a field: `[{ id, title, pointer, unit, percent? }]`. */
@@ -33,33 +48,42 @@ export function followed(calculator, answer, path) {
   return [governing, ...torque, ...numbers, ...shares].map((one, id) => ({ unit: one.percent ? "%" : "", ...one, id: String(id) }));
 }
 
-export function sweepBody(calculator, shown, field, { from, to, steps }, { pointer }) {
+function axisOf({ field, from, to, steps }) {
   const round = field.kind === "integer" ? Math.round : (value) => Number(value.toPrecision(6));
   const values = Array.from({ length: steps }, (_, k) => round(from + ((to - from) * k) / (steps - 1)));
+  return { pointer: pointerOf(field), values: [...new Set(values)] };
+}
+
+/** `ranges` are one or two, `{ field, from, to, steps }`. */
+export function sweepBody(calculator, shown, ranges, { pointer }) {
   return {
     calculation: calculator.path.slice(1),
     input: designOf(calculator, shown),
-    axes: [{ pointer: `/${field.path.replaceAll(".", "/")}`, values: [...new Set(values)] }],
+    axes: ranges.map(axisOf),
     outputs: [...new Set([pointer, GOVERNING])],
   };
 }
 
-/** The points of an answer: `{ x, y, status, check, used, why }`, where there is one, in canonical units. */
-export function pointsOf({ axes: [{ values }], outputs, status, codes, governing, reasons }, { pointer, percent }, titles) {
+/** Values of the axes at each point, of which the last varies first. */
+const placesOf = ([{ values }, ...others]) => (others.length === 0 ? values.map((x) => [x]) : values.flatMap((x) => placesOf(others).map((more) => [x, ...more])));
+
+/** The points of an answer: `{ x, z, y, status, check, used, why }`, `z` of the second input, in canonical units. */
+export function pointsOf({ axes, outputs, status, codes, governing, reasons }, { pointer, percent }, titles) {
   const why = new Map(reasons.flatMap(({ code, pointer: at, points }) => points.map((i) => [i, said("checks", code)?.title ?? titles.get(at?.split("/").pop()) ?? code])));
-  return values.map((x, i) => ({
-    x, y: outputs[pointer][i] === null ? null : outputs[pointer][i] * (percent ? 100 : 1),
+  return placesOf(axes).map(([x, z], i) => ({
+    x, z, y: outputs[pointer][i] === null ? null : outputs[pointer][i] * (percent ? 100 : 1),
     status: status[i], check: codes[governing[i]] && titleOf({ code: codes[governing[i]] }), used: outputs[GOVERNING][i], why: why.get(i),
   }));
 }
 
 const wordOf = ({ status }) => message("verdictWord")[status] ?? "";
 
-/** What a point sets, with what follows its input. */
-export function setsAt({ axes: [{ pointer, values }], linked }, i, shown) {
+/** What a point sets, with what follows its inputs. */
+export function setsAt({ axes, linked }, i, shown) {
   const at = (where) => valueIn(shown, { path: pathOf(where) });
-  const moved = values[i] - at(pointer);
-  return Object.fromEntries([[pointer, values[i]], ...linked.map((one) => [one, tidy(at(one) + moved * (one.endsWith("diameter_mm") ? 2 : 1))])]);
+  const set = placesOf(axes)[i].map((value, k) => [axes[k].pointer, value]);
+  const moved = (one) => set.reduce((sum, [pointer, value]) => sum + (LINKED[one][pointer] ?? 0) * (value - at(pointer)), 0);
+  return Object.fromEntries([...set, ...linked.map((one) => [one, tidy(at(one) + moved(one))])]);
 }
 
 /** A request as it is at the first point: alike whichever of the points the design at hand is. */
@@ -73,13 +97,14 @@ export function withPoint({ input, ...asked }, answer) {
   return { ...asked, input: same };
 }
 
-/** The points as a table; `button(text, i)` is what loads one. */
-export function sweepTable(points, field, quantity, button = (_, i) => points[i].x) {
+/** The points as a table over one field or two; `button(text, i)` is what loads one. */
+export function sweepTable(points, fields, quantity, button = (_, i) => points[i].x) {
+  const [field, beside] = fields;
   return {
-    title: `${quantity.title} · ${field.title}`,
-    columns: [{ title: field.title, unit: field.unit }, { title: quantity.percent ? message("sweep.used") : quantity.title, unit: quantity.unit }, { title: message("verdict.label") }, { title: message("checks.governing") }],
+    title: `${quantity.title} · ${fields.map(({ title }) => title).join(" · ")}`,
+    columns: [...fields.map(({ title, unit }) => ({ title, unit })), { title: quantity.percent ? message("sweep.used") : quantity.title, unit: quantity.unit }, { title: message("verdict.label") }, { title: message("checks.governing") }],
     rows: points.map((point, i) => [
-      button(formatNumber(shownValue(point.x, field.unit)), i), point.y ?? "–", wordOf(point), point.why ?? point.check ?? "–",
+      button(formatNumber(shownValue(point.x, field.unit)), i), ...(beside ? [point.z] : []), point.y ?? "–", wordOf(point), point.why ?? point.check ?? "–",
     ]),
   };
 }
@@ -89,15 +114,18 @@ const LOOKS = {
   dark: { ink: "#e6edf3", grid: "#2b3642", line: "#9aa7b4", bad: "#ff8a80" },
 };
 
-/** The points as a figure: a colour for each check that governs, crosses where one fails or nothing is possible. */
-export function sweepChart(points, field, quantity, now, theme) {
+/**
+ * The points as a figure: a line for each value of a second field; a colour for each of these, else for each check that
+ * governs; crosses where one fails or nothing is possible.
+ */
+export function sweepChart(points, [field, beside], quantity, now, theme) {
   const { ink, grid, line, bad } = LOOKS[theme];
   const across = ({ x }) => shownValue(x, field.unit);
   const known = points.filter(({ y, status }) => y !== null && status !== "impossible");
   const up = ({ y }) => shownValue(y, quantity.unit);
   const [least, most] = [Math.min(0, ...known.map(up)), Math.max(...known.map(up), quantity.percent ? 100 : 0)];
   const hover = (point) => [
-    `${formatQuantity(point.x, field.unit)}: ${point.y === null ? "–" : formatQuantity(point.y, quantity.unit)}`,
+    `${[formatQuantity(point.x, field.unit), ...(beside ? [nameOf(point)] : [])].join(", ")}: ${point.y === null ? "–" : formatQuantity(point.y, quantity.unit)}`,
     [wordOf(point), point.why ?? point.check].filter(Boolean).join(": "),
   ].filter(Boolean).join("<br>");
   const marks = (name, own, color, symbol) => ({
@@ -105,7 +133,10 @@ export function sweepChart(points, field, quantity, now, theme) {
     text: own.map(hover), customdata: own.map((point) => points.indexOf(point)), hovertemplate: "%{text}<extra></extra>", cliponaxis: false,
     marker: { color, size: 10, symbol: own.map(symbol), line: { width: 0 } },
   });
-  const checks = [...new Set(known.map(({ check }) => check ?? quantity.title))];
+  const nameOf = ({ z, check }) => (beside ? `${beside.title} ${formatQuantity(z, beside.unit)}` : check ?? quantity.title);
+  const names = [...new Set(known.map(nameOf))];
+  const colorOf = (i) => SERIES[theme][i % SERIES[theme].length];
+  const lines = beside ? [...new Set(points.map(({ z }) => z))].map((z) => points.filter((point) => point.z === z)) : [points];
   const impossible = points.filter(({ status }) => status === "impossible");
   const axis = (title, unit) => ({
     title: { text: unit ? `${title}, ${shownUnit(unit)}` : title, font: { size: 13 } }, gridcolor: grid, linecolor: line, zerolinecolor: line, ticks: "outside", tickcolor: line,
@@ -114,8 +145,11 @@ export function sweepChart(points, field, quantity, now, theme) {
   const shape = (place) => ({ type: "line", xref: "x", yref: "y", line: { color: line, width: 1, dash: "dash" }, ...place });
   return {
     data: [
-      { type: "scatter", mode: "lines", x: points.map(across), y: points.map((point) => (known.includes(point) ? up(point) : null)), line: { color: ink, width: 1.5 }, hoverinfo: "skip", showlegend: false },
-      ...checks.map((check, i) => marks(check, known.filter((point) => (point.check ?? quantity.title) === check), SERIES[theme][i % SERIES[theme].length], ({ status }) => (status === "fail" ? "x" : "circle"))),
+      ...lines.map((own) => ({
+        type: "scatter", mode: "lines", x: own.map(across), y: own.map((point) => (known.includes(point) ? up(point) : null)),
+        line: { color: beside ? colorOf(Math.max(0, names.indexOf(nameOf(own[0])))) : ink, width: 1.5 }, hoverinfo: "skip", showlegend: false,
+      })),
+      ...names.map((name, i) => marks(name, known.filter((point) => nameOf(point) === name), colorOf(i), ({ status }) => (status === "fail" ? "x" : "circle"))),
       ...(impossible.length > 0 ? [marks(message("verdictWord.impossible"), impossible, bad, () => "x-open")] : []),
     ],
     layout: {

@@ -1,10 +1,10 @@
-/** Tabs that are opened from a field's menu: a result over that field, and which inputs matter most. */
+/** Tabs that are opened from a field's menu: a result over that field and another one, and which inputs matter most. */
 import { createBeside } from "../besides.js";
 import { pathOf, percent, titleOf } from "../lib/checks.js";
 import { formatQuantity, parseSum, typedText } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { valueIn } from "../lib/sizing.js";
-import { followed, pointsOf, rangeOf, sensitivityBody, sensitivityRows, setsAt, sweepBody, sweepChart, sweepTable, withPoint } from "../lib/sweep.js";
+import { followed, pointsOf, rangeOf, sensitivityBody, sensitivityRows, setsAt, sweepBody, sweepChart, sweptBeside, sweepTable, withPoint } from "../lib/sweep.js";
 import { canonicalValue, shownUnit, spell } from "../lib/units.js";
 import { message } from "../messages/index.js";
 import { following } from "../store.js";
@@ -55,10 +55,10 @@ function createStudied({ id, store, panels, client, bodyOf, path, show, keyOf = 
 /** A result over a field: a figure and a table whose points are designs that a click loads. */
 function createSweep({ store, on, ...parts }) {
   const { calculator, model, titles } = store.state.about;
-  let about = null; // { field, quantities } of the boxes
+  let about = null; // { field, beside, quantities } of the boxes
   let points = [];
   let drawn = null; // what is drawn, as the results of a design
-  const table = (button) => [sweepTable(points, drawn.field, drawn.quantity, button)];
+  const table = (button) => [sweepTable(points, drawn.fields, drawn.quantity, button)];
   const figure = createFigure({
     figure: {
       id: "sweep", section: "sweep", path: "", height: HEIGHT,
@@ -66,7 +66,7 @@ function createSweep({ store, on, ...parts }) {
       sets: ({ customdata }) => customdata,
       tables: () => table((text, i) => html`<button type="button" class="link" data-load="${i}">${text}</button>`),
     },
-    client: { post: async (_path, _answer, { query: { theme } }) => sweepChart(points, drawn.field, drawn.quantity, valueIn(store.state.shown, drawn.field), theme) },
+    client: { post: async (_path, _answer, { query: { theme } }) => sweepChart(points, drawn.fields, drawn.quantity, valueIn(store.state.shown, drawn.fields[0]), theme) },
     titles,
     on: {
       charted() {}, turned() {}, picked() {},
@@ -80,15 +80,15 @@ function createSweep({ store, on, ...parts }) {
   });
   const tab = createStudied({
     ...parts, id: "sweep", store, path: "/sweep", head: html`<div class="swept"></div>`,
-    bodyOf: (shown) => about && range() && sweepBody(calculator, shown, about.field, range(), about.quantities[part("quantity").value]),
+    bodyOf: (shown) => about && ranges() && sweepBody(calculator, shown, ranges(), about.quantities[part("quantity").value]),
     keyOf: withPoint,
     show(state, answer, body) {
       if (drawn && drawn.of !== state.shown) drawn = { ...drawn, of: state.shown }; // the design at hand is another one
       if (answer && drawn?.answer.sweep !== answer) {
-        const { axes: [{ pointer }], outputs: [output] } = body;
-        const field = model.fields.get(pathOf(pointer));
-        const quantity = followed(calculator, state.shown.answer, field.path).find((one) => one.pointer === output);
-        drawn = { field, quantity, of: state.shown, answer: { sweep: answer }, input: NOTHING, filled: NOTHING, requests: [] };
+        const { axes, outputs: [output] } = body;
+        const fields = axes.map(({ pointer }) => model.fields.get(pathOf(pointer)));
+        const quantity = followed(calculator, state.shown.answer, fields[0].path).find((one) => one.pointer === output);
+        drawn = { fields, quantity, of: state.shown, answer: { sweep: answer }, input: NOTHING, filled: NOTHING, requests: [] };
         points = pointsOf(answer, quantity, titles);
       }
       figure.update({ ...state, shown: drawn, kept: null, phase: "fresh", refusal: null, pending: NOTHING });
@@ -97,11 +97,24 @@ function createSweep({ store, on, ...parts }) {
   const part = (name) => tab.root.querySelector(`[data-part="${name}"]`);
   const load = (i) => on.applied(setsAt(drawn.answer.sweep, i, store.state.shown));
 
-  /** What the boxes say, in canonical units; null where one cannot be read. */
-  function range() {
-    const [from, to, steps] = ["from", "to", "steps"].map((name) => parseSum(part(name).value).value);
-    if (!Number.isFinite(from) || !Number.isFinite(to) || from === to || !Number.isInteger(steps) || steps < 2 || steps > MOST) return null;
-    return { from: canonicalValue(from, about.field.unit), to: canonicalValue(to, about.field.unit), steps };
+  /** What the boxes of a field say, in canonical units; null where one cannot be read. */
+  function range(field, which) {
+    const [from, to, steps] = ["from", "to", "steps"].map((name) => parseSum(part(name + which).value).value);
+    if (!Number.isFinite(from) || !Number.isFinite(to) || from === to || !Number.isInteger(steps) || steps < 2) return null;
+    return { field, from: canonicalValue(from, field.unit), to: canonicalValue(to, field.unit), steps };
+  }
+
+  function ranges() {
+    const found = [range(about.field, ""), ...(about.beside ? [range(about.beside, "2")] : [])];
+    return found.every(Boolean) && found.reduce((points, { steps }) => points * steps, 1) <= MOST ? found : null;
+  }
+
+  const box = (name, value) => html`<label>${message(`sweep.${name.replace("2", "")}`)} <input class="box free-text" data-part="${name}" inputmode="decimal" autocomplete="off" value="${value}"></label>`;
+
+  function boxes(field, which) {
+    const { from, to, steps } = rangeOf(field, store.state.shown, which !== "");
+    return html`${box(`from${which}`, typedText(spell(from, field.unit)))}${box(`to${which}`, typedText(spell(to, field.unit)))}${box(`steps${which}`, String(steps))}
+      ${shownUnit(field.unit)}`;
   }
 
   tab.root.append(figure.root, element(html`<p class="note">${message("sweep.click")}</p>`));
@@ -109,17 +122,23 @@ function createSweep({ store, on, ...parts }) {
     const at = target.closest("[data-load]")?.dataset.load;
     if (at !== undefined) load(Number(at));
   });
-  tab.root.querySelector(".swept").addEventListener("input", () => tab.update(store.state));
+  tab.root.querySelector(".swept").addEventListener("input", ({ target }) => {
+    if (target.dataset.part === "beside") {
+      about.beside = model.fields.get(target.value);
+      fill(tab.root.querySelector(".beside-of"), about.beside ? boxes(about.beside, "2") : "");
+    }
+    tab.update(store.state);
+  });
   return {
     ...tab,
     open({ path }) {
       const field = model.fields.get(path);
       about = { field, quantities: followed(calculator, store.state.shown.answer, path) };
-      const { from, to, steps } = rangeOf(field, store.state.shown);
-      const box = (name, value) => html`<label>${message(`sweep.${name}`)} <input class="box free-text" data-part="${name}" inputmode="decimal" autocomplete="off" value="${value}"></label>`;
-      fill(tab.root.querySelector(".swept"), html`<p><b>${field.title}</b>${shownUnit(field.unit) && `, ${shownUnit(field.unit)}`}</p>
-        ${box("from", typedText(spell(from, field.unit)))}${box("to", typedText(spell(to, field.unit)))}${box("steps", String(steps))}
-        <label>${message("sweep.quantity")} <select class="box" data-part="quantity">${about.quantities.map(({ id, title }) => html`<option value="${id}">${title}</option>`)}</select></label>`);
+      const option = ({ path: value, title }) => html`<option value="${value}">${title}</option>`;
+      fill(tab.root.querySelector(".swept"), html`<p><b>${field.title}</b> ${boxes(field, "")}</p>
+        <p><label>${message("sweep.beside")} <select class="box" data-part="beside"><option value="">–</option>${sweptBeside(model, store.state.shown, field)
+          .map(([title, fields]) => html`<optgroup label="${title}">${fields.map(option)}</optgroup>`)}</select></label> <span class="beside-of"></span></p>
+        <p><label>${message("sweep.quantity")} <select class="box" data-part="quantity">${about.quantities.map(({ id, title }) => html`<option value="${id}">${title}</option>`)}</select></label></p>`);
       tab.open();
     },
     close() {

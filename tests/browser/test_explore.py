@@ -58,6 +58,33 @@ def test_a_point_of_a_sweep_loads_its_design_and_undo_leads_back(page: Page, ser
     expect(box(page, RADIUS)).to_have_value("10.4")
 
 
+def test_a_second_input_has_a_line_for_each_of_its_values(page: Page, service: str) -> None:
+    show(page, service, "crank-planetary")
+    from_menu(page, RADIUS, "Sweep")
+    sweep = page.locator('[data-explored="sweep"]')
+    expect(sweep.locator(".scatterlayer .point")).to_have_count(13)
+    asked = posted(page, "/sweep")
+    sweep.locator('[data-part="steps"]').fill("3")
+    sweep.locator('[data-part="beside"]').select_option("contact.eccentricity_mm")
+    sweep.get_by_role("button", name="Calculate").click()
+    expect(sweep.locator(".scatterlayer .point")).to_have_count(12)
+    expect(sweep.locator(".legend .traces")).to_have_count(4)
+    [body] = asked
+    assert [len(each["values"]) for each in body["axes"]] == [3, 4]
+    found = ask(service, "/sweep", body)
+    sweep.get_by_role("button", name="Table").click()
+    cells = sweep.locator("tbody tr").nth(6).locator("td")  # the second radius and the third line
+    place = [each["values"][k] for each, k in zip(body["axes"], (1, 2), strict=True)]
+    assert [float(cells.nth(k).inner_text()) for k in (0, 1)] == pytest.approx(place, rel=JUDGED)
+    used = found["outputs"]["/checks/governing/utilisation"][6]
+    assert float(cells.nth(2).inner_text()) == pytest.approx(100 * used, rel=JUDGED)
+    cells.nth(0).get_by_role("button").click()
+    for path, value in zip((RADIUS, "contact.eccentricity_mm"), place, strict=True):
+        assert float(box(page, path).input_value()) == pytest.approx(value)
+    settled(page)
+    expect(sweep.locator(".state")).to_have_text("")  # it is of this design as well
+
+
 def test_impossible_points_say_why_and_a_sweep_is_ended(page: Page, service: str) -> None:
     show(page, service, "crank-planetary")
     from_menu(page, "mechanism.pins", "Sweep")
