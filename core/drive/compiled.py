@@ -25,7 +25,7 @@ CALLED = "positions", "narrow", "unloaded", "gaps", "goes_together", "pieces"
 
 INLINED = {
     *("touch", "pin", "lobe", "slopes", "press", "turned", "moved", "law", "disc_at", "bent"),
-    *("turn_to", "window", "torque_at", "law_alone", "lay"),
+    *("turn_to", "window", "torque_at", "law_alone", "lay", "pose", "stops_at"),
 }
 """Functions that are called at each contact, and inlined for speed."""
 

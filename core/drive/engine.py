@@ -34,6 +34,9 @@ Whole = Annotated[IntArray, "whole"]
 """Arrays of one, two and three axes, and of integers with two; functions are compiled by these
 annotations."""
 
+Pose = tuple[float, float, float, float, float, float]
+"""What `pose` returns."""
+
 JOURNAL, PIN, LOBE, FLANK = range(4)
 """Kinds of a group: crank in its bearing, pin in its hole, ring pin on its lobe, second foot of a
 ring pin."""
@@ -96,11 +99,13 @@ law, largest force of the law, radius of the pin, difference of curvatures, radi
     HY,
     UX,
     UY,
-) = range(21)
+    END,
+) = range(22)
 """Floats of a contact at a position: cosine and sine of its angle; largest force of the law, gap,
 slope of the path, lever of perfect parts, difference of curvatures, distance to the pitch point,
 foot; approach, force, stiffness, normal, curvature of the distance, arm of the pin (of a LOBE its
-offset from its ideal place), arm and rotation of the disc."""
+offset from its ideal place), arm and rotation of the disc, lag at which a ring pin stops the disc.
+"""
 
 (
     STATUS,
@@ -186,11 +191,17 @@ FEET = 30
 """Largest number of steps to a foot; the longest step is `FAR_STEP` over z_p, rad."""
 
 FAR_STEP = 0.1
+LAST_STEP = 3e-5
+"""Last step to a foot, times z_p, rad; an error of its cube is left."""
 NO_TURN = 1e-3
 """Lever over the longest one below which a ring pin, near its dead angle, limits no play."""
 
-CLOSE = 1e-5
-"""Last step of Newton to the end of a play, over the play; an error of its square is left."""
+CLOSE = 1e-4
+"""Last step to the end of a play, over the play; an error of its cube is left."""
+
+SMALL = 0.03
+"""Step to the end of a play, over the quarter of a pitch, up to which its second order tells which
+ring pins cannot be the first to stop a disc."""
 
 NO_LEVER = 1e-12
 """Lever over the radius of the pin circle up to which a contact carries no torque."""
@@ -258,7 +269,7 @@ class Work(NamedTuple):
 
     q: Row  # displacements of bodies
     b: Table  # [pins, 2*K] bending of pins, m
-    w: Table  # [n, 21] floats of contacts
+    w: Table  # [n, 22] floats of contacts
     grad: Table  # [n, 6] gradient of each approach by turn, own, along, across and bending
     side: Row  # [6] derivatives of a contact's place across its normal
     hgg: Table  # second derivatives of the energy by bodies
@@ -408,13 +419,19 @@ def steepness(k: float, i: int, w: Table) -> float:
     return math.sqrt((1 - k) * (1 - k) + 2 * k * less)
 
 
+def curvature(slope: float, g: int, drive: Drive) -> float:
+    """Curvature of the path of a group's lobes where it has a slope, 1/m."""
+    pins, tool = drive.gf[g, LOBES], drive.gf[g, TOOL_R]
+    k = drive.gf[g, BASE_E] * pins / tool
+    bend = (1 - k) * (1 - pins * k) + (pins + 1) * (slope * slope - (1 - k) * (1 - k)) / 2
+    return float(bend / (tool * slope * slope * slope))
+
+
 def bend_lobe(i: int, g: int, drive: Drive, w: Table) -> None:
     """Set curvature and law of a lobe on its pin, for perfect parts."""
-    gf, cf, pins, tool = drive.gf, drive.cf, drive.gf[g, LOBES], drive.gf[g, TOOL_R]
-    k = gf[g, BASE_E] * pins / tool
-    slope = steepness(k, i, w)
-    bend = (1 - k) * (1 - pins * k) + (pins + 1) * (slope * slope - (1 - k) * (1 - k)) / 2
-    bend /= tool * slope * slope * slope
+    gf, cf = drive.gf, drive.cf
+    slope = steepness(gf[g, BASE_E] * gf[g, LOBES] / gf[g, TOOL_R], i, w)
+    bend = curvature(slope, g, drive)
     # A pin wider than its valley does not touch there: its contact counts as flat.
     w[i, BENT] = max(1 / cf[i, RAD] + bend / (1 - gf[g, TOOL] * bend), EPS / cf[i, RAD])
     if drive.gi[g, LAW] == HERTZ:
@@ -453,19 +470,26 @@ def bent(i: int, b: Table, drive: Drive) -> tuple[float, float]:
     return (b[block, at], b[block, at + 1]) if block >= 0 else (0.0, 0.0)
 
 
-def pin(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
+def pose(g: int, drive: Drive, work: Work) -> Pose:
+    """Real and imaginary parts of ``exp(-i*t) - 1`` of the lags t of the output and of a group's
+    disc, and the disc's shifts along and across its crank, m.
+    """
+    own, ta, tc = disc_at(g, work.q, drive)
+    turn = moved(drive.gi[g, TURN], work.q)
+    if drive.gi[g, EXACT] == 0:
+        return 0.0, -turn, 0.0, -own, ta, tc
+    (m1x, m1y), (m2x, m2y) = turned(turn), turned(own)
+    return m1x, m1y, m2x, m2y, ta, tc
+
+
+def pin(i: int, g: int, at: Pose, drive: Drive, work: Work) -> None:
     """Set approach, normal and arms of a pin in its hole or of a crank in its bearing."""
-    own, ta, tc = disc_at(g, q, drive)
-    turn, (bx, by) = moved(drive.gi[g, TURN], q), bent(i, b, drive)
-    gf, cf, ca, sa = drive.gf, drive.cf, w[i, CA], -w[i, SA]
+    (m1x, m1y, m2x, m2y, ta, tc), (bx, by) = at, bent(i, work.b, drive)
+    gf, cf, w, ca, sa = drive.gf, drive.cf, work.w, work.w[i, CA], -work.w[i, SA]
     px, py, e = cf[i, PX], cf[i, PY], gf[g, ECC]
     hx, hy = px - cf[i, EX], py - cf[i, EY]
     exact = drive.gi[g, EXACT] != 0
-    m1x, m1y, m2x, m2y = 0.0, -turn, 0.0, -own
-    if exact:
-        m1x, m1y = turned(turn)
-        m2x, m2y = turned(own)
-    else:
+    if not exact:
         hx, hy, px, py = gf[g, CIRCLE], 0.0, gf[g, CIRCLE], 0.0
     sx = cf[i, EX] + m1x * px - m1y * py - m2x * hx + m2y * hy - ta * ca + tc * sa + bx
     sy = cf[i, EY] + m1x * py + m1y * px - m2x * hy - m2y * hx - ta * sa - tc * ca + by
@@ -484,17 +508,15 @@ def pin(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
     w[i, HX], w[i, HY] = hx + m2x * hx - m2y * hy, hy + m2x * hy + m2y * hx
 
 
-def lobe(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
+def lobe(i: int, g: int, at: Pose, drive: Drive, work: Work) -> None:
     """Set approach, normal and arms of a ring pin; only one that may touch looks for its foot."""
-    own, ta, tc = disc_at(g, q, drive)
-    bx, by = bent(i, b, drive)
-    gf, cf, ca, sa, k = drive.gf, drive.cf, w[i, CA], -w[i, SA], drive.gf[g, SHORT]
+    (_, _, m2x, m2y, ta, tc), (bx, by) = at, bent(i, work.b, drive)
+    gf, cf, w, k = drive.gf, drive.cf, work.w, drive.gf[g, SHORT]
+    ca, sa = w[i, CA], -w[i, SA]
     px = cf[i, PX] - (gf[g, ECC] + ta) * ca + tc * sa + bx
     py = cf[i, PY] - (gf[g, ECC] + ta) * sa - tc * ca + by
-    exact, m2x, m2y = drive.gi[g, EXACT] != 0, 0.0, -own
-    if exact:
-        m2x, m2y = turned(own)
-    else:
+    exact = drive.gi[g, EXACT] != 0
+    if not exact:
         px, py = gf[g, CIRCLE] - gf[g, BASE_E] * ca, -gf[g, BASE_E] * sa
     mx, my = m2x * px + m2y * py, m2x * py - m2y * px
     dx = cf[i, EX] - (gf[g, OFF] + ta) * ca + tc * sa + bx + mx
@@ -518,12 +540,12 @@ def lobe(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
 
 
 def foot_of(i: int, g: int, drive: Drive, w: Table) -> None:
-    """Set approach and normal of a ring pin at its foot on the path, by Newton in a bracket."""
+    """Set approach and normal of a ring pin at its foot on the path, by steps in a bracket."""
     gf, ca, sa = drive.gf, w[i, CA], -w[i, SA]
     bx, by, px, py = w[i, AX], w[i, AY], w[i, HX], w[i, HY]
     e, radius, pins, k = gf[g, BASE_E], gf[g, TOOL_R], gf[g, LOBES], gf[g, SHORT]
     second = drive.gi[g, KIND] == FLANK
-    longest, close = FAR_STEP / pins, 3e-6 / pins
+    longest, close = FAR_STEP / pins, LAST_STEP / pins
     off = 4 * math.sqrt(bx * bx + by * by)
     final = off / radius / (1 - k)
     first, foot = -final, w[i, FOOT]
@@ -552,6 +574,11 @@ def foot_of(i: int, g: int, drive: Drive, w: Table) -> None:
             break
         ahead = gy * dx - gx * dy
         step = ahead / (under if under > 0 else radius * size)
+        if under > 0 and abs(step) < longest:  # in second order: by the derivative of ``under``
+            bend = pins * pins * k
+            jx, jy = 1 + c1 - bend * (ca + ex), n1 - bend * (sa + ey)
+            grows = 3 * radius * (gx * hy - gy * hx) + jy * dx - jx * dy
+            step -= step * step * grows / (2 * under)
         step = min(max(step, -longest), longest)
         if ahead > 0:
             first = foot
@@ -571,12 +598,12 @@ def foot_of(i: int, g: int, drive: Drive, w: Table) -> None:
     w[i, BOW] = -(gx * hx + gy * hy) / (length * under) if under > 0 else 0.0
 
 
-def touch(i: int, g: int, q: Row, b: Table, drive: Drive, w: Table) -> None:
-    """Set the approach of a contact at the displacements q and b."""
+def touch(i: int, g: int, at: Pose, drive: Drive, work: Work) -> None:
+    """Set the approach of a contact at the `pose` of its group and the bending of its pin."""
     if drive.gi[g, KIND] <= PIN:
-        pin(i, g, q, b, drive, w)
+        pin(i, g, at, drive, work)
     else:
-        lobe(i, g, q, b, drive, w)
+        lobe(i, g, at, drive, work)
 
 
 def slopes(i: int, g: int, drive: Drive, work: Work) -> tuple[float, float]:
@@ -720,13 +747,14 @@ def assemble(torque: float, near: bool, part: float, drive: Drive, work: Work) -
     gi, w = drive.gi, work.w
     springs(torque, drive, work)
     for g in range(len(gi)):
+        at = pose(g, drive, work)
         for i in range(gi[g, START], gi[g, STOP]):
             if near and w[i, DELTA] < -FAR and gi[g, KIND] != FLANK:
                 continue
             if part != 0:
                 follow(i, g, part, drive, work)
             else:
-                touch(i, g, work.q, work.b, drive, w)
+                touch(i, g, at, drive, work)
             if w[i, DELTA] > TINY:
                 press(i, g, drive, work)
                 continue
@@ -1002,27 +1030,46 @@ def turns(i: int, w: Table) -> float:
     return float(w[i, NY] * w[i, HX] - w[i, NX] * w[i, HY])
 
 
+def stops_at(lag: float, side: float, i: int, g: int, drive: Drive, w: Table) -> float:
+    """Lag, times the side 1 or -1, at which a ring pin stops its disc, in second order from `touch`
+    at a lag; infinite if its lever is short.
+    """
+    d, nx, ny, hx, hy, bow = w[i, DELTA], w[i, NX], w[i, NY], w[i, HX], w[i, HY], w[i, BOW]
+    exact = drive.gi[g, EXACT] != 0
+    if exact and bow == 0:  # it was too far open to look for its foot
+        bow = -curvature(w[i, SLOPE], g, drive)
+        across = nx * w[i, AY] - ny * w[i, AX]
+        d, nx, ny = d + bow * across * across / 2, nx - bow * across * ny, ny + bow * across * nx
+    lever, across = side * (ny * hx - nx * hy), nx * hx + ny * hy
+    if not lever > dead(g, drive) / 2:
+        return math.inf
+    square = lever * lever - (2 * d * (bow * across - 1) * across if exact else 0.0)
+    return float(side * lag - 2 * d / (lever + (math.sqrt(square) if square > 0 else lever)))
+
+
 def ring_end(side: float, body: int, drive: Drive, work: Work) -> float:
-    """Lag at which the first ring pin stops a disc that turns to the side 1 or -1, by Newton."""
-    gi, w, lag = drive.gi, work.w, 0.0
+    """Lag at which the first ring pin stops a disc that turns to the side 1 or -1, by steps in
+    second order, the first of all pins and the next ones of those that stop it not much later.
+    """
+    gi, w, lag, within = drive.gi, work.w, 0.0, math.inf
     for step in range(13):
         best, work.q[body] = math.inf, lag
         for g in range(len(gi)):
             if not of_ring(g, body, drive):
                 continue
+            at = pose(g, drive, work)
             for i in range(gi[g, START], gi[g, STOP]):
-                lever = side * w[i, LEVER]
-                if lever < dead(g, drive):
+                if side * w[i, LEVER] < dead(g, drive) or (step > 0 and w[i, END] > within):
                     continue
-                touch(i, g, work.q, work.b, drive, w)
-                lever = side * turns(i, w) if step > 0 else lever
-                if lever > dead(g, drive) / 2:
-                    best = min(best, side * lag - w[i, DELTA] / lever)
+                touch(i, g, at, drive, work)
+                w[i, END] = stops_at(lag, side, i, g, drive, w)
+                best = min(best, w[i, END])
         if best == math.inf:
             return lag if step > 0 else side * best
         change, lag = abs(side * best - lag), side * best
         if not change > CLOSE * abs(lag):
             break
+        within = best + change / 4 if change < SMALL * quarter(body, drive) else math.inf
     return lag
 
 
@@ -1033,10 +1080,11 @@ def pressed_at(lag: float, side: float, body: int, drive: Drive, work: Work) -> 
     for g in range(len(gi)):
         if not of_ring(g, body, drive) or (side != 0 and gi[g, EXACT] == 0):
             continue
+        at = pose(g, drive, work)
         for i in range(gi[g, START], gi[g, STOP]):
             lever = w[i, LEVER]
             if abs(lever) < dead(g, drive) if side == 0 else side * lever < dead(g, drive):
-                touch(i, g, work.q, work.b, drive, w)
+                touch(i, g, at, drive, work)
                 if w[i, DELTA] > rounding(i, g, lag, drive):
                     return True
     return False
@@ -1057,7 +1105,7 @@ def presses_on_top(i: int, g: int, body: int, drive: Drive, work: Work) -> bool:
     """True if a ring pin presses the top of its lobe."""
     lag = on_top(i, g, drive, work.w)
     work.q[body] = lag
-    touch(i, g, work.q, work.b, drive, work.w)
+    touch(i, g, pose(g, drive, work), drive, work)
     return bool(work.w[i, DELTA] > rounding(i, g, lag, drive))
 
 
@@ -1084,8 +1132,9 @@ def worst_at(lag: float, body: int, drive: Drive, work: Work) -> tuple[float, fl
     for g in range(len(gi)):
         if not of_ring(g, body, drive):
             continue
+        at = pose(g, drive, work)
         for i in range(gi[g, START], gi[g, STOP]):
-            touch(i, g, work.q, work.b, drive, w)
+            touch(i, g, at, drive, work)
             if gi[g, EXACT] != 0:
                 foot_of(i, g, drive, w)
             if w[i, DELTA] > worst:
@@ -1187,8 +1236,9 @@ def slack(g: int, drive: Drive, work: Work) -> tuple[float, float]:
     gi, w, low, high = drive.gi, work.w, -math.inf, math.inf
     exact, radius = gi[g, EXACT] != 0, drive.gf[g, CIRCLE]
     kept, work.q[gi[g, TURN]] = work.q[gi[g, TURN]], 0.0
+    at = pose(g, drive, work)
     for i in range(gi[g, START], gi[g, STOP]):
-        touch(i, g, work.q, work.b, drive, w)
+        touch(i, g, at, drive, work)
         d, lever, room = w[i, DELTA], w[i, LEVER], drive.gf[g, ECC] + drive.cf[i, GAP]
         if not exact:
             if abs(lever) <= NO_LEVER * radius:
@@ -1224,8 +1274,9 @@ def unturned(kind: int, body: int, drive: Drive, work: Work) -> tuple[float, flo
     for g in range(len(gi)):
         if gi[g, OWN] != body or (gi[g, KIND] == PIN) != (kind == PIN):
             continue
+        at = pose(g, drive, work)
         for i in range(gi[g, START], gi[g, STOP]):
-            touch(i, g, work.q, work.b, drive, w)
+            touch(i, g, at, drive, work)
             if w[i, DELTA] <= TINY:
                 continue
             f, k = law(i, g, 0.0, drive, w)
@@ -1262,11 +1313,11 @@ def rest(kind: int, slot: int, body: int, drive: Drive, work: Work) -> float:
 
 def drives(g: int, way: float, drive: Drive, work: Work) -> bool:
     """True if a contact of a group can carry a torque in the direction 1 or -1."""
-    w, exact = work.w, drive.gi[g, EXACT] != 0
+    w, exact, at = work.w, drive.gi[g, EXACT] != 0, pose(g, drive, work)
     for i in range(drive.gi[g, START], drive.gi[g, STOP]):
         lever = w[i, LEVER]
         if exact:
-            touch(i, g, work.q, work.b, drive, w)
+            touch(i, g, at, drive, work)
             lever = w[i, NX] * w[i, AY] - w[i, NY] * w[i, AX]
         if way * lever > NO_LEVER * drive.gf[g, CIRCLE]:
             return True
@@ -1742,8 +1793,9 @@ def gaps(phi: float, lags: Row, drive: Drive, work: Work, found: Row) -> None:
     for g in range(len(gi)):
         if gi[g, KIND] != LOBE:
             continue
+        at = pose(g, drive, work)
         for i in range(gi[g, START], gi[g, STOP]):
-            touch(i, g, work.q, work.b, drive, w)
+            touch(i, g, at, drive, work)
             if gi[g, EXACT] != 0:
                 foot_of(i, g, drive, w)
             found[i] = w[i, DELTA]
@@ -1862,8 +1914,9 @@ def free_there(drive: Drive, work: Work) -> bool:
     """True if nothing touches at the displacements q and b, at the angle of `place`."""
     gi, w = drive.gi, work.w
     for g in range(len(gi)):
+        at = pose(g, drive, work)
         for i in range(gi[g, START], gi[g, STOP]):
-            touch(i, g, work.q, work.b, drive, w)
+            touch(i, g, at, drive, work)
             if w[i, DELTA] > 0:
                 return False
     return True

@@ -213,7 +213,7 @@ def work_for(drive: Drive) -> Work:
     shapes: dict[str, Any] = {
         "q": bodies,
         "b": (blocks, nb),
-        "w": (contacts, engine.UY + 1),
+        "w": (contacts, engine.END + 1),
         "grad": (contacts, 6),
         "side": 6,
         "hgg": (bodies, bodies),
