@@ -126,7 +126,7 @@ async def test_the_service_gives_the_printed_numbers(api, path, body, following)
 
 @pytest.mark.anyio
 async def test_the_files_of_the_last_step_hold_what_it_says(api):
-    """Its design is that of the other steps, with the narrower zone."""
+    """The design is that of the other steps, with the narrower zone."""
     tutorial = TUTORIALS["tutorial_cycloid.md"]
     step = tutorial[tutorial.index("## 7.") :]
     (whole,) = [json.loads(step.values[1]) for step in STEPS if step.values[0] == "tolerance-study"]
