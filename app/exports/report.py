@@ -126,10 +126,7 @@ class Report:
         if body.calculation == SWEEP:
             schemas.append(Schema(CALCULATIONS[body.input["calculation"]].request, "title"))
         self.schema = schemas[-1]
-        titles = (each.titles for each in map(_Titles, schemas))
-        self.words = Words(
-            body.language, {name: said for one in titles for name, said in one.items()}
-        )
+        self.words = Words(body.language, _titles(schemas))
         self.made_by = MADE_BY
 
     def html(self) -> str:
@@ -540,15 +537,14 @@ def _greek(formula: str) -> str:
     return re.sub(r"[A-Za-z]{2,}", letter, formula)
 
 
-class _Titles:
-    """Titles of the fields of a schema by their names."""
-
-    def __init__(self, schema: Schema) -> None:
-        self.titles: dict[str, str] = {}
-        for one in (schema.whole, *schema.whole.get("$defs", {}).values()):
-            for name, field in one.get("properties", {}).items():
-                if "title" in field:
-                    self.titles.setdefault(name, field["title"])
+def _titles(schemas: Sequence[Schema]) -> dict[str, str]:
+    """Titles of the fields of schemas by their names."""
+    found: dict[str, str] = {}
+    for schema in schemas:
+        for one in reversed((schema.whole, *schema.whole.get("$defs", {}).values())):
+            fields = one.get("properties", {}).items()
+            found |= {name: field["title"] for name, field in fields if "title" in field}
+    return found
 
 
 @cache
