@@ -123,7 +123,7 @@ class Words:
         """Number to so many significant digits, whole ones without noughts after them.
 
         >>> Words("uk", {}).number(12345.678), Words("en", {}).number(2.5e-7)
-        ('12\u202f346', '2.5\u202f×\u202f10⁻⁷')
+        ('12\u202f350', '2.5\u202f×\u202f10⁻⁷')
         """
         if value == 0:
             return "0"

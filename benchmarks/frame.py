@@ -1,4 +1,4 @@
-"""What the page shows at once, in a real Chromium: for each example and screen whether the page
+"""Sight of the page at once, in a real Chromium: for each example and screen whether the page
 scrolls, how many words of prose stand on the first screen, and how long the longest label is; then
 the processor time of a key and the bytes of a first visit.
 
@@ -14,8 +14,6 @@ from playwright.sync_api import Browser, Page
 from app.examples import EXAMPLES
 from benchmarks.load import service as running_service
 from benchmarks.options import options
-from tests.browser.calculator_page import picked, settled
-from tests.browser.conftest import MET
 from tests.inputs import chromium
 
 SCREENS = (1280, 720), (1366, 768), (1440, 900), (1920, 1080)
@@ -62,22 +60,27 @@ SEEN = """() => {
 }"""
 
 
+def open_page(page: Page, address: str, example: str = "") -> None:
+    """Open the page, and an example of it, and wait for the numbers."""
+    page.goto(address)
+    page.wait_for_selector('#panel[data-state="fresh"] .outputs > .rest')
+    if example:
+        page.locator('[data-tool="new"]').click()
+        page.locator(f'#start [data-example="{example}"]').click()
+        page.wait_for_timeout(100)
+        page.wait_for_selector('#panel[data-state="fresh"]')
+
+
 def seen(page: Page, service: str, language: str, example: str) -> dict[str, float]:
-    """What the screen shows of an example."""
-    page.goto(f"{service}/?calculator=crank-planetary&lang={language}")
-    settled(page)
-    picked(page, example)
-    settled(page)
+    """Numbers of `SEEN` of an example in a language."""
+    open_page(page, f"{service}/?calculator=crank-planetary&lang={language}", example)
     found: dict[str, float] = page.evaluate(SEEN)
     return found
 
 
 def key(page: Page, service: str) -> float:
     """Processor time of a key in the torque of the cycloid example, ms."""
-    page.goto(f"{service}/?calculator=crank-planetary")
-    settled(page)
-    picked(page, "cycloid")
-    settled(page)
+    open_page(page, f"{service}/?calculator=crank-planetary", "cycloid")
     page.wait_for_timeout(3000)  # what is done behind
     measured = page.context.new_cdp_session(page)
     measured.send("Performance.enable")
@@ -98,8 +101,7 @@ def weight(browser: Browser, service: str) -> float:
     with browser.new_context() as context:
         page, sizes = context.new_page(), list[int]()
         page.on("requestfinished", lambda one: sizes.append(one.sizes()["responseBodySize"]))
-        page.goto(f"{service}/?calculator=crank-planetary")
-        settled(page)
+        open_page(page, f"{service}/?calculator=crank-planetary")
         page.wait_for_timeout(2000)
         return sum(sizes) / 1e3
 
@@ -111,7 +113,7 @@ def main(examples: Collection[str], asked_of: Sequence[int] | None = None) -> bo
     with serving as running, chromium.started() as browser:
         service = f"http://127.0.0.1:{running.port}"
         context = browser.new_context()
-        context.add_init_script(MET)
+        context.add_init_script(chromium.MET)
         page = context.new_page()
         print("screen       language  scrolls  words  label")
         for width, height in SCREENS[: len(examples)]:

@@ -88,9 +88,6 @@ def watch() -> Watch:
     return Watch()
 
 
-MET = 'if (/^http/.test(location.protocol)) localStorage["khv-calc.met"] ??= "yes";'
-"""The sheet on which designs begin has been seen."""
-
 # A visitor who has opened all that folds: what is folded at first is tested in test_layout.py.
 UNFOLDED = """
 localStorage.folds ??= JSON.stringify({ worked: true, words: true });
@@ -101,7 +98,9 @@ localStorage.outline ??= "all";
 @pytest.fixture
 def context(browser: sync_api.Browser) -> Iterator[sync_api.BrowserContext]:
     context = browser.new_context(viewport={"width": 1440, "height": 900})
-    context.add_init_script(f"if (/^http/.test(location.protocol)) {{ {UNFOLDED} }}\n{MET}")
+    context.add_init_script(
+        f"if (/^http/.test(location.protocol)) {{ {UNFOLDED} }}\n{chromium.MET}"
+    )
     yield context
     context.close()
 

@@ -7,14 +7,15 @@ import pytest
 from playwright.sync_api import Browser, Locator, Page, Request, expect
 
 from tests.browser.calculator_page import address, opened, picked, settled
-from tests.browser.conftest import MET, WATCH_SCRIPT
+from tests.browser.conftest import WATCH_SCRIPT
+from tests.inputs import chromium
 
 
 @pytest.fixture
 def newcomer(browser: Browser) -> Iterator[Page]:
     """A page of somebody who has closed the sheet on which designs begin, and done nothing else."""
     context = browser.new_context(viewport={"width": 1440, "height": 900})
-    context.add_init_script(f"{WATCH_SCRIPT}; {MET}")
+    context.add_init_script(f"{WATCH_SCRIPT}; {chromium.MET}")
     yield context.new_page()
     context.close()
 

@@ -106,6 +106,7 @@ def test_examples_narrow_screens_and_the_dark(page: Page, service: str) -> None:
     with page.expect_request("**/roller-strength/chart?theme=dark"):
         show(page, service, "rollers")
     page.get_by_role("button", name="New").click()
+    expect(page.locator("#start [data-example]").first).to_be_visible()
     titles = page.locator("#start [data-example]").all_inner_texts()
     assert len(titles) > 2 and all("pairs" not in title for title in titles)
     expect(page.locator("#start section")).to_have_count(1)

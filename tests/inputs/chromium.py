@@ -9,6 +9,9 @@ from playwright import sync_api
 NAMES = "chromium-headless-shell", "chromium", "chromium-browser"
 """What it is called; the first is the same engine without windows, at half the processor time."""
 
+MET = 'if (/^http/.test(location.protocol)) localStorage["khv-calc.met"] ??= "yes";'
+"""Script for pages that have shown the sheet on which designs begin."""
+
 BRIEF = "--disable-gpu", "--js-flags=--no-turbofan"
 """For pages that are soon closed: no process that draws for others, and nothing of their scripts
 optimised for a long time; a page takes a sixth less of the processor so.
