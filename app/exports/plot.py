@@ -282,11 +282,13 @@ def drawing(content: str, box: str) -> str:
 
 def tag(name: str, content: str = "", /, **given: Any) -> str:
     """Element of an SVG picture with those attributes that are not None."""
-    said = ((key.replace("_", "-"), each) for key, each in given.items() if each is not None)
-    shown = (f' {key}="{each:.3g}"' if key in ("opacity", "stroke-width") else
-             f' {key}="{each:.1f}"' if isinstance(each, float) else f' {key}="{each}"'
-             for key, each in said)  # fmt: skip
-    return f"<{name}{''.join(shown)}>{content}</{name}>"
+    shown = ""
+    for key, each in given.items():
+        digits = ".3g" if key in ("opacity", "stroke_width") else ".1f"
+        if each is not None:
+            value = f"{each:{digits}}" if isinstance(each, float) else each
+            shown += f' {key.replace("_", "-")}="{value}"'
+    return f"<{name}{shown}>{content}</{name}>"
 
 
 def _axes(trace: Trace) -> tuple[str, str]:

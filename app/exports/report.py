@@ -94,9 +94,16 @@ class ReportRequest(SheetRequest):
     worked: bool = False
     """Worked steps at the end of the report."""
 
+    @property
+    def stepped(self) -> bool:
+        """True if worked steps are wanted."""
+        return self.worked
+
     @cached_property
     def asked(self) -> RequestModel:
-        """Request of the calculation with checks, worked steps, and a reducer's largest torque."""
+        """Request of the calculation with checks, wanted worked steps, and a reducer's largest
+        torque.
+        """
         own = super().asked
         if not isinstance(own, CrankPlanetaryRequest):
             return own
@@ -489,7 +496,8 @@ class Report:
     @property
     def steps(self) -> list[Values]:
         """Worked steps, if they are wanted."""
-        return self.answer.get("worked", []) if self.body.worked else []
+        found: list[Values] = self.answer.get("worked", [])
+        return found
 
     def step_title(self, step: Values) -> str:
         """Title of a worked step."""

@@ -62,16 +62,22 @@ class SheetRequest(RequestModel):
     calculation: CalculationName = Field(description="Name of the calculation.")
     input: dict[str, Any] = Field(description="Request of the calculation.")
 
+    @property
+    def stepped(self) -> bool:
+        """True if worked steps are wanted."""
+        return True
+
     @cached_property
     def asked(self) -> RequestModel:
-        """Request of the calculation, with checks and worked steps if it has them; a problem if the
-        calculation refuses it.
+        """Request of the calculation, with checks if it has them and with wanted worked steps; a
+        problem if the calculation refuses it.
         """
         kind: TypeAdapter[RequestModel] = TypeAdapter(CALCULATIONS[self.calculation].request)
         try:
             plain = kind.validate_python(self.input)
             more = ["checks"] if self.calculation in JUDGED else []
-            more += ["worked"] if type(plain).steps is not RequestModel.steps else []
+            stepped = self.stepped and type(plain).steps is not RequestModel.steps
+            more += ["worked"] if stepped else []
             if not more:
                 return plain
             sections = getattr(plain, "sections", None) or getattr(plain, "include", None) or ()

@@ -35,7 +35,7 @@ Whole = Annotated[IntArray, "whole"]
 annotations."""
 
 Pose = tuple[float, float, float, float, float, float]
-"""What `pose` returns."""
+"""Numbers that `pose` returns: four of rotations, and two shifts, m."""
 
 JOURNAL, PIN, LOBE, FLANK = range(4)
 """Kinds of a group: crank in its bearing, pin in its hole, ring pin on its lobe, second foot of a

@@ -45,7 +45,8 @@ function createStudied({ id, store, panels, client, bodyOf, path, show, keyOf = 
         computing: progress === undefined ? message("sweep.running") : message("study.done", { percent: Math.round(100 * progress) }),
         stopped: message("besides.stopped"), refused: refusal?.text, failed: refusal?.text,
       }[phase] ?? (answer ? "" : message("sweep.idle"));
-      run.update({ phase, progress }, [words, older && message("besides.older")].filter(Boolean).join(" "));
+      const unread = state.shown && !logic.asked() && message("sweep.wrong", { most: MOST });
+      run.update({ phase, progress }, unread || [words, older && message("besides.older")].filter(Boolean).join(" "));
       root.dataset.stale = String(older || phase === "computing");
       show(state, answer, body);
     },

@@ -64,6 +64,8 @@ def test_a_second_input_has_a_line_for_each_of_its_values(page: Page, service: s
     sweep = page.locator('[data-explored="sweep"]')
     expect(sweep.locator(".scatterlayer .point")).to_have_count(13)
     asked = posted(page, "/sweep")
+    sweep.locator('[data-part="steps"]').fill("x")
+    expect(sweep.locator(".state")).to_contain_text("whole numbers from 2, at most 200")
     sweep.locator('[data-part="steps"]').fill("3")
     sweep.locator('[data-part="beside"]').select_option("contact.eccentricity_mm")
     sweep.get_by_role("button", name="Calculate").click()
