@@ -42,6 +42,7 @@ OF_REQUESTS = {
     "contact is not calculated",
     "extra_forbidden": "is not a known field",
     "float_type": "must be a number",
+    "follows_nothing": "follows none of the inputs that vary",
     "int_type": "must be a whole number",
     "json_invalid": "is not valid JSON: {error}",
     "list_type": "must be a list",

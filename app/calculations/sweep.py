@@ -1,7 +1,7 @@
 """Results over one or two inputs of a calculation: request, answer."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import ClassVar, Literal, NamedTuple
@@ -134,6 +134,10 @@ class SweepRequest(VariedFields):
         if self.objective:
             named["/objective/pointer"] = self.objective.pointer
         return named | ({"": GOVERNING} if self.calculation in JUDGED else {})
+
+    def linked(self, start: Mapping[str, float | None]) -> dict[str, float]:
+        """Typed values of inputs that follow the axes, which follow nothing themselves."""
+        return {name: each for name, each in super().linked(start).items() if name not in start}
 
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse a sweep of too many points, of one axis twice, or without results."""

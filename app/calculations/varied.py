@@ -92,6 +92,12 @@ class VariedFields(RequestModel):
     _settings: Settings | None = PrivateAttr(default=None)
     calculation: str = Field(description="Name of the calculation.")
     input: dict[str, Any] = Field(description="Request of the calculation.")
+    keep: list[Pointer] = Field(
+        default=[],
+        max_length=len(FOLLOWING),
+        description="JSON pointers to inputs that stay as typed though they would follow those "
+        "that vary.",
+    )
 
     @property
     def varied(self) -> dict[str, str]:
@@ -148,9 +154,14 @@ class VariedFields(RequestModel):
         for field, pointer in self.targets.items():
             if not has_number(_schema(self.calculation), _by_place(keys(pointer), "0")):
                 raise refusal(field, "not_there", field="answer")
-        return Inputs(self.calculation, self.design, start, self._linked(start), self._settings)
+        linked = self.linked(start)
+        for k, pointer in enumerate(self.keep):
+            if pointer not in linked:
+                raise refusal(f"/keep/{k}", "follows_nothing")
+        following = {name: each for name, each in linked.items() if name not in self.keep}
+        return Inputs(self.calculation, self.design, start, following, self._settings)
 
-    def _linked(self, start: Mapping[str, float | None]) -> dict[str, float]:
+    def linked(self, start: Mapping[str, float | None]) -> dict[str, float]:
         """Typed values of inputs that follow those that vary."""
         linked = {}
         for pointer, others in FOLLOWING.items():
@@ -220,8 +231,7 @@ class Inputs:
     def linked(self, names: Iterable[str]) -> list[str]:
         """Pointers to inputs that follow some that are set."""
         moved = [each for each in names if self.start[each] is not None]
-        follow = (name for name in self.following if name not in moved)
-        return [name for name in follow if not FOLLOWING[name].keys().isdisjoint(moved)]
+        return [name for name in self.following if not FOLLOWING[name].keys().isdisjoint(moved)]
 
     def setting(self, values: Mapping[str, float]) -> dict[str, float]:
         """Numbers that are set, with those that follow."""

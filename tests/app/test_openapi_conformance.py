@@ -118,6 +118,7 @@ UNDESCRIBED = re.compile("/input/|/requests/")
 
 BETWEEN_FIELDS = {
     "flanks_not_drawn",
+    "follows_nothing",
     "missing",
     "moved_to",
     "needed_for",

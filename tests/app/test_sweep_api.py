@@ -41,6 +41,9 @@ RADIUS = {"pointer": "/pin_radius_mm", "from": 2.0, "to": 9.0, "steps": 8}
 PRESSURE = "/max_pressure_MPa"
 TORQUE = "/load/output_torque_Nm"
 USED = "/checks/governing/utilisation"
+HOLE = "/contact/hole_radius_mm"
+PIN = {"pointer": "/contact/pin_radius_mm", "values": [5.0, 5.5]}
+HOLES = {"pointer": HOLE, "values": [10.0, 11.0]}
 
 
 def of_hertz(*axes: dict[str, Any], **more: Any) -> dict[str, Any]:
@@ -116,6 +119,35 @@ async def test_the_hole_follows_pin_and_eccentricity_unless_it_is_an_axis(api: A
     assert answer["status"][0] == "incomplete" and answer["status"][1] == "impossible"
 
 
+async def test_a_hole_that_is_kept_stays_as_typed_and_is_not_linked(api: Any) -> None:
+    best = {"pointer": USED, "sense": "largest"}
+    followed = await api.answer("sweep", of_design(PIN, objective=best))
+    answer = await api.answer("sweep", of_design(PIN, objective=best, keep=[HOLE]))
+    assert followed["linked"] == [HOLE] and answer["linked"] == []
+    assert [*answer["best"]["sets"]] == ["/contact/pin_radius_mm"]
+    for k, radius in enumerate(PIN["values"]):
+        single = with_values(DESIGN, {"/contact/pin_radius_mm": radius})
+        posted, checks = await api.judged("crank-planetary", single | {"include": ["checks"]})
+        assert answer["outputs"][USED][k] == checks[posted["governing"]]["utilisation"]
+        assert answer["outputs"][USED][k] != followed["outputs"][USED][k]
+
+
+async def test_an_input_that_is_kept_stays_as_typed_in_all_three(api: Any) -> None:
+    body = {"calculation": "crank-planetary", "input": DESIGN, "keep": [HOLE]}
+    pin = {"pointer": "/contact/pin_radius_mm", "from": 4.0, "to": 8.0}
+    target = {"pointer": "/hertz/safety_factor", "at_least": 1.0}
+    found = await api.answer("solve", body | {"variable": pin, "target": target})
+    assert found["linked"] == [] and HOLE not in found["sets"]
+    ends = []
+    for keep in ([], [HOLE]):
+        asked = body | {"inputs": ["/contact/pin_radius_mm", HOLE], "keep": keep}
+        answer = await api.answer("sensitivity", asked)
+        assert answer["linked"] == [HOLE][len(keep) :]
+        ends.append({each["pointer"]: each["plus"] for each in answer["inputs"]})
+    one, other = (each["/contact/pin_radius_mm"] for each in ends)
+    assert one != other and ends[0][HOLE] == ends[1][HOLE]
+
+
 async def test_impossible_points_stay_with_their_reason(api: Any) -> None:
     answer = await api.answer("sweep", of_hertz(RADIUS | {"to": 12.0, "steps": 11}))
     assert answer["status"] == ["ok"] * 8 + ["impossible"] * 3
@@ -158,6 +190,10 @@ async def test_the_best_point_neither_fails_nor_is_impossible(api: Any) -> None:
         (of_hertz(RADIUS, objective={"pointer": "/x"}), "/objective/pointer", "not_there"),
         (of_hertz(RADIUS, RADIUS), "/axes/1/pointer", "only_one"),
         (of_hertz(RADIUS, outputs=None), "/outputs", "missing"),
+        (of_hertz(RADIUS, keep=["/hole_radius_mm"]), "/keep/0", "follows_nothing"),
+        (of_design(PIN, keep=[HOLE, "/pin/diameter_mm"]), "/keep/1", "follows_nothing"),
+        (of_design(PIN, HOLES, keep=[HOLE]), "/keep/0", "follows_nothing"),
+        (of_design(PIN, keep=[HOLE] * 3), "/keep", "too_long"),
         (of_hertz(RADIUS | {"steps": 1}), "/axes/0/steps", "greater_than_equal"),
         (of_hertz(RADIUS | {"steps": 1001}), "/axes/0/steps", "less_than_equal"),
         (of_hertz(RADIUS | {"steps": 2.5}), "/axes/0/steps", "int_type"),
