@@ -1,5 +1,4 @@
 /** A result over one input or two, and inputs that matter: what is asked of the service and what its answer says. No DOM. */
-import { SERIES } from "./chart.js";
 import { judgedOf, pathOf, titleOf } from "./checks.js";
 import { ALL, formatNumber, formatQuantity, tidy, unitOf } from "./format.js";
 import { fieldsOf } from "./schema_form.js";
@@ -7,9 +6,9 @@ import { designOf, targetsOf, valueIn } from "./sizing.js";
 import { shownUnit, shownValue } from "./units.js";
 import { message, quantityTitle, said } from "../messages/index.js";
 
-const GOVERNING = "/checks/governing/utilisation";
+export const GOVERNING = "/checks/governing/utilisation";
 const [AROUND, POINTS, COUNTED] = [0.3, 13, 3]; // to both sides: a share of the value, or so many where it is counted
-const FEW = 4; // lines of a second input
+const FEW = 5; // of a second input: the value at hand in the middle
 const MOST = 12; // inputs
 const [PIN, ECCENTRICITY] = ["/contact/pin_radius_mm", "/contact/eccentricity_mm"];
 /** How much inputs move with those that vary. */
@@ -24,7 +23,7 @@ export function sweptBeside(model, shown, field) {
     .filter(([, fields]) => fields.length > 0);
 }
 
-/** From where to where a field is swept unless something else is said, in canonical units; `few` lines of it. */
+/** From where to where a field is swept unless something else is said, in canonical units; `few` values of it. */
 export function rangeOf(field, shown, few) {
   const value = valueIn(shown, field);
   const within = (number) => Math.min(Math.max(number, field.lowest ?? -Infinity), field.highest ?? Infinity);
@@ -76,7 +75,7 @@ export function pointsOf({ axes, outputs, status, codes, governing, reasons }, {
   }));
 }
 
-const wordOf = ({ status }) => message("verdictWord")[status] ?? "";
+export const wordOf = ({ status }) => message("verdictWord")[status] ?? "";
 
 /** What a point sets, with what follows its inputs. */
 export function setsAt({ axes, linked }, i, shown) {
@@ -106,61 +105,6 @@ export function sweepTable(points, fields, quantity, button = (_, i) => points[i
     rows: points.map((point, i) => [
       button(formatNumber(shownValue(point.x, field.unit)), i), ...(beside ? [point.z] : []), point.y ?? "–", wordOf(point), point.why ?? point.check ?? "–",
     ]),
-  };
-}
-
-const LOOKS = {
-  light: { ink: "#1c2733", grid: "#e3e8ed", line: "#5a6875", bad: "#b3261e" },
-  dark: { ink: "#e6edf3", grid: "#2b3642", line: "#9aa7b4", bad: "#ff8a80" },
-};
-
-/**
- * The points as a figure: a line for each value of a second field; a colour for each of these, else for each check that
- * governs; crosses where one fails or nothing is possible.
- */
-export function sweepChart(points, [field, beside], quantity, now, theme) {
-  const { ink, grid, line, bad } = LOOKS[theme];
-  const across = ({ x }) => shownValue(x, field.unit);
-  const known = points.filter(({ y, status }) => y !== null && status !== "impossible");
-  const up = ({ y }) => shownValue(y, quantity.unit);
-  const [least, most] = [Math.min(0, ...known.map(up)), Math.max(...known.map(up), quantity.percent ? 100 : 0)];
-  const hover = (point) => [
-    `${[formatQuantity(point.x, field.unit), ...(beside ? [nameOf(point)] : [])].join(", ")}: ${point.y === null ? "–" : formatQuantity(point.y, quantity.unit)}`,
-    [wordOf(point), point.why ?? point.check].filter(Boolean).join(": "),
-  ].filter(Boolean).join("<br>");
-  const marks = (name, own, color, symbol) => ({
-    type: "scatter", mode: "markers", name, x: own.map(across), y: own.map((point) => (point.status === "impossible" ? least : up(point))),
-    text: own.map(hover), customdata: own.map((point) => points.indexOf(point)), hovertemplate: "%{text}<extra></extra>", cliponaxis: false,
-    marker: { color, size: 10, symbol: own.map(symbol), line: { width: 0 } },
-  });
-  const nameOf = ({ z, check }) => (beside ? `${beside.title} ${formatQuantity(z, beside.unit)}` : check ?? quantity.title);
-  const names = [...new Set(known.map(nameOf))];
-  const colorOf = (i) => SERIES[theme][i % SERIES[theme].length];
-  const lines = beside ? [...new Set(points.map(({ z }) => z))].map((z) => points.filter((point) => point.z === z)) : [points];
-  const impossible = points.filter(({ status }) => status === "impossible");
-  const axis = (title, unit) => ({
-    title: { text: unit ? `${title}, ${shownUnit(unit)}` : title, font: { size: 13 } }, gridcolor: grid, linecolor: line, zerolinecolor: line, ticks: "outside", tickcolor: line,
-    tickformat: ".6~g", automargin: true,
-  });
-  const shape = (place) => ({ type: "line", xref: "x", yref: "y", line: { color: line, width: 1, dash: "dash" }, ...place });
-  return {
-    data: [
-      ...lines.map((own) => ({
-        type: "scatter", mode: "lines", x: own.map(across), y: own.map((point) => (known.includes(point) ? up(point) : null)),
-        line: { color: beside ? colorOf(Math.max(0, names.indexOf(nameOf(own[0])))) : ink, width: 1.5 }, hoverinfo: "skip", showlegend: false,
-      })),
-      ...names.map((name, i) => marks(name, known.filter((point) => nameOf(point) === name), colorOf(i), ({ status }) => (status === "fail" ? "x" : "circle"))),
-      ...(impossible.length > 0 ? [marks(message("verdictWord.impossible"), impossible, bad, () => "x-open")] : []),
-    ],
-    layout: {
-      font: { color: ink, family: "system-ui, sans-serif", size: 12 }, paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
-      margin: { l: 56, r: 16, t: 16, b: 48 }, hovermode: "closest", showlegend: true, legend: { orientation: "h", y: 1.02, yanchor: "bottom", x: 0 },
-      xaxis: axis(field.title, field.unit), yaxis: { ...axis(quantity.percent ? message("sweep.used") : quantity.title, quantity.unit), range: [least, 1.08 * most || 1] },
-      shapes: [
-        ...(quantity.percent ? [shape({ xref: "paper", x0: 0, x1: 1, y0: 100, y1: 100 })] : []),
-        ...(now === undefined ? [] : [shape({ yref: "paper", y0: 0, y1: 1, x0: shownValue(now, field.unit), x1: shownValue(now, field.unit) })]),
-      ],
-    },
   };
 }
 

@@ -4,7 +4,8 @@ import { pathOf, percent, titleOf } from "../lib/checks.js";
 import { formatQuantity, parseSum, typedText } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { valueIn } from "../lib/sizing.js";
-import { followed, pointsOf, rangeOf, sensitivityBody, sensitivityRows, setsAt, sweepBody, sweepChart, sweptBeside, sweepTable, withPoint } from "../lib/sweep.js";
+import { followed, pointsOf, rangeOf, sensitivityBody, sensitivityRows, setsAt, sweepBody, sweptBeside, sweepTable, withPoint } from "../lib/sweep.js";
+import { isMap, sweepChart } from "../lib/sweep_chart.js";
 import { canonicalValue, shownUnit, spell } from "../lib/units.js";
 import { message } from "../messages/index.js";
 import { following } from "../store.js";
@@ -12,7 +13,7 @@ import { createFigure } from "./figure.js";
 import { createRun } from "./run.js";
 
 const NOTHING = {};
-const HEIGHT = 260;
+const [HEIGHT, MAP_HEIGHT] = [260, 320];
 const MOST = 200; // points
 
 /** A tab with what starts it, stops it and says how it stands. */
@@ -62,12 +63,12 @@ function createSweep({ store, on, ...parts }) {
   const table = (button) => [sweepTable(points, drawn.fields, drawn.quantity, button)];
   const figure = createFigure({
     figure: {
-      id: "sweep", section: "sweep", path: "", height: HEIGHT,
+      id: "sweep", section: "sweep", path: "", height: () => (drawn && isMap(drawn.fields, drawn.quantity) ? MAP_HEIGHT : HEIGHT),
       body: (_input, answer) => answer.sweep,
       sets: ({ customdata }) => customdata,
       tables: () => table((text, i) => html`<button type="button" class="link" data-load="${i}">${text}</button>`),
     },
-    client: { post: async (_path, _answer, { query: { theme } }) => sweepChart(points, drawn.fields, drawn.quantity, valueIn(store.state.shown, drawn.fields[0]), theme) },
+    client: { post: async (_path, _answer, { query: { theme } }) => sweepChart(points, drawn.fields, drawn.quantity, drawn.fields.map((field) => valueIn(store.state.shown, field)), theme) },
     titles,
     on: {
       charted() {}, turned() {}, picked() {},
@@ -92,7 +93,7 @@ function createSweep({ store, on, ...parts }) {
         drawn = { fields, quantity, of: state.shown, answer: { sweep: answer }, input: NOTHING, filled: NOTHING, requests: [] };
         points = pointsOf(answer, quantity, titles);
       }
-      figure.update({ ...state, shown: drawn, kept: null, phase: "fresh", refusal: null, pending: NOTHING });
+      figure.update({ ...state, shown: drawn, kept: null, phase: "fresh", refusal: null, pending: drawn ?? NOTHING });
     },
   });
   const part = (name) => tab.root.querySelector(`[data-part="${name}"]`);

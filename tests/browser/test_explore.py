@@ -68,23 +68,72 @@ def test_a_second_input_has_a_line_for_each_of_its_values(page: Page, service: s
     expect(sweep.locator(".state")).to_contain_text("whole numbers from 2, at most 200")
     sweep.locator('[data-part="steps"]').fill("3")
     sweep.locator('[data-part="beside"]').select_option("contact.eccentricity_mm")
+    sweep.locator('[data-part="quantity"]').select_option(label="Governing pressure")
     sweep.get_by_role("button", name="Calculate").click()
-    expect(sweep.locator(".scatterlayer .point")).to_have_count(12)
-    expect(sweep.locator(".legend .traces")).to_have_count(4)
+    expect(sweep.locator(".scatterlayer .point")).to_have_count(15)
+    expect(sweep.locator(".legend .traces")).to_have_count(5)
     [body] = asked
-    assert [len(each["values"]) for each in body["axes"]] == [3, 4]
+    assert [len(each["values"]) for each in body["axes"]] == [3, 5]
     found = ask(service, "/sweep", body)
     sweep.get_by_role("button", name="Table").click()
-    cells = sweep.locator("tbody tr").nth(6).locator("td")  # the second radius and the third line
+    cells = sweep.locator("tbody tr").nth(7).locator("td")  # the second radius and the third line
     place = [each["values"][k] for each, k in zip(body["axes"], (1, 2), strict=True)]
     assert [float(cells.nth(k).inner_text()) for k in (0, 1)] == pytest.approx(place, rel=JUDGED)
-    used = found["outputs"]["/checks/governing/utilisation"][6]
-    assert float(cells.nth(2).inner_text()) == pytest.approx(100 * used, rel=JUDGED)
+    pressure = found["outputs"][body["outputs"][0]][7]
+    assert float(cells.nth(2).inner_text()) == pytest.approx(pressure, rel=JUDGED)
     cells.nth(0).get_by_role("button").click()
     for path, value in zip((RADIUS, "contact.eccentricity_mm"), place, strict=True):
         assert float(box(page, path).input_value()) == pytest.approx(value)
     settled(page)
     expect(sweep.locator(".state")).to_have_text("")  # it is of this design as well
+
+
+def test_the_check_that_governs_over_two_inputs_is_a_map(page: Page, service: str) -> None:
+    show(page, service, "crank-planetary")
+    box(page, "load.output_torque_Nm").fill("900")
+    settled(page)
+    asked = posted(page, "/sweep")
+    from_menu(page, RADIUS, "Sweep")
+    sweep = page.locator('[data-explored="sweep"]')
+    expect(sweep.locator(".scatterlayer .point")).to_have_count(13)
+    for part, text in (("from", "6"), ("to", "10"), ("steps", "3")):
+        sweep.locator(f'[data-part="{part}"]').fill(text)
+    sweep.locator('[data-part="beside"]').select_option("mechanism.pins")
+    for part, text in (("from2", "2"), ("to2", "4"), ("steps2", "3")):
+        sweep.locator(f'[data-part="{part}"]').fill(text)
+    sweep.get_by_role("button", name="Calculate").click()
+    cells = sweep.locator(".barlayer .trace").first.locator(".point")
+    expect(cells).to_have_count(6)
+    found = ask(service, "/sweep", asked[-1])
+    works = ["impossible", "incomplete", "incomplete"]
+    assert found["status"] == ["impossible", "fail", "incomplete", *works, *works]
+    used = [each for each in found["outputs"]["/checks/governing/utilisation"] if each]
+    texts = sweep.locator(".barlayer text").all_text_contents()
+    assert sorted(map(int, texts)) == sorted(round(100 * each) for each in used)
+    failing, impossible = (
+        sweep.locator(".barlayer .trace").nth(k).locator(".point") for k in (1, 2)
+    )
+    expect(failing).to_have_count(1)
+    expect(impossible).to_have_count(3)
+    for word in ("Contact pressure of the hole", "Fails", "100 % of the limit", "Design at hand"):
+        expect(sweep.locator(".legend")).to_contain_text(word)
+    star = sweep.locator(".scatterlayer .point")
+    before = star.bounding_box()
+    impossible.nth(2).hover(force=True)
+    expect(sweep.locator(".hoverlayer")).to_contain_text("10\u00a0mm, 2: –Impossible: Dead centres")
+    cells.nth(5).hover(force=True)
+    expect(sweep.locator(".hoverlayer")).to_contain_text("Incomplete: Contact pressure of the hole")
+    cells.nth(5).click(force=True)
+    expect(box(page, RADIUS)).to_have_value("10")
+    expect(box(page, "mechanism.pins")).to_have_value("4")
+    settled(page)
+    page.wait_for_function(
+        """([star, x]) => star.getBoundingClientRect().x > x + 20""",
+        arg=[star.element_handle(), before["x"]] if before else None,
+    )
+    expect(sweep.locator(".state")).to_have_text("")  # it is of this design as well
+    sweep.get_by_role("button", name="Table").click()
+    expect(sweep.locator("tbody tr")).to_have_count(9)
 
 
 def test_impossible_points_say_why_and_a_sweep_is_ended(page: Page, service: str) -> None:
