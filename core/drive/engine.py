@@ -284,6 +284,7 @@ class Work(NamedTuple):
     p: Row  # step of bodies
     pb: Table  # step of bending pins
     kept: Row  # displacements kept while a play is solved
+    first: Row  # displacements to the first contact at the last position with a play
     bends: Table  # bending kept while a play is solved
     last: Table  # bending of pins at the position before
     older: Table  # bending of pins at the last position but one
@@ -1662,7 +1663,7 @@ def loose_discs(play: bool, drive: Drive, work: Work) -> None:
         if without_force(body, top, drive, work):
             if not play:
                 work.play[body, 0], work.play[body, 1] = ring_play(body, drive, work)
-            work.q[body] = middle(g, drive, work)
+            work.q[body] = work.first[body] = middle(g, drive, work)
 
 
 def take(given: Row, into: Row) -> None:
@@ -1695,9 +1696,11 @@ def bend_on(part: float, work: Work) -> None:
 
 
 def position(
-    phi: float, torque: float, warm: bool, play: bool, drive: Drive, work: Work, row: Row
+    phi: float, torque: float, warm: bool, far: bool, play: bool, drive: Drive, work: Work, row: Row
 ) -> int:
-    """Solve a crank angle, from ``work`` if warm, and its play if asked; return the status."""
+    """Solve a crank angle and, if asked, its play; return the status. A warm start is from ``work``,
+    with a play and ``far`` from the last position by the same way beyond the first contact.
+    """
     place(phi, drive, work)
     way, q, kept = math.copysign(1.0, torque), work.q, work.kept
     row[STATUS] = SOLVED
@@ -1707,6 +1710,9 @@ def position(
             take_bends(work.b, work.bends)
             straighten(work)
             placed(way, play or again > 0, drive, work, row)
+            for i in range(len(q)):
+                kept[i] += q[i] - work.first[i] if far else 0.0
+            take(q, work.first)
             if warm:
                 take(kept, q)
                 take_bends(work.bends, work.b)
@@ -1753,13 +1759,15 @@ def positions(
 ) -> int:
     """Solve crank angles, each from the two before; return the first index not solved, or -1."""
     for m in range(len(places)):
+        far = m > 0
         if m > 1:
             ahead, wide = places[m] - places[m - 1], places[m - 1] - places[m - 2]
-            if 0 < abs(ahead) <= min(2 * abs(wide), AHEAD):
+            far = not 0 < abs(ahead) <= min(2 * abs(wide), AHEAD)
+            if not far:
                 for i in range(len(work.q)):
                     work.q[i] += ahead / wide * (lags[m - 1, i] - lags[m - 2, i])
                 bend_on(ahead / wide, work)
-        status = position(places[m], torque, m > 0, play, drive, work, rows[m])
+        status = position(places[m], torque, m > 0, far, play, drive, work, rows[m])
         if status != SOLVED:
             return m
         record(m, drive, work, lags, forces, wrench, plays)
@@ -1898,7 +1906,7 @@ def narrow(
         for side in range(0 if play else (2 if kind == LOST else 1)):
             asked = torque if kind != LOST else share * torque * (1.0 - 2.0 * side)
             take_side(work.sides, side, work.q, False)
-            if position(there, asked, looks > 0, False, drive, work, row) != SOLVED:
+            if position(there, asked, looks > 0, False, False, drive, work, row) != SOLVED:
                 return there, 0.0, 0.0, -1
             take_side(work.sides, side, work.q, True)
             found += sign * (row[LAG] if kind == LOST else row[kind])
@@ -1922,6 +1930,20 @@ def free_there(drive: Drive, work: Work) -> bool:
     return True
 
 
+def free_everywhere(drive: Drive) -> bool:
+    """True if errors are smaller than gaps, so that nothing touches at any angle without load."""
+    gi, gf, cf = drive.gi, drive.gf, drive.cf
+    for g in range(len(gi)):
+        off, late = abs(gf[g, OFF]), abs(gf[g, LATE])
+        for i in range(gi[g, START], gi[g, STOP]):
+            arm = math.hypot(cf[i, PX], cf[i, PY]) + abs(gf[g, ECC])
+            error = math.hypot(cf[i, EX], cf[i, EY]) + off + late * arm
+            gap = cf[i, GAP] if gi[g, KIND] <= PIN else -cf[i, GAP]
+            if error >= gap or gf[g, ROTATION] < 0:
+                return False
+    return True
+
+
 def between(drive: Drive, work: Work, row: Row) -> None:
     """Put output and discs into the middle of their plays after `placed`."""
     gi, q = drive.gi, work.q
@@ -1939,6 +1961,8 @@ def between(drive: Drive, work: Work, row: Row) -> None:
 def goes_together(places: Row, drive: Drive, work: Work, row: Row) -> int:
     """FITS, BINDS or NOWHERE, by the places at which a piece goes together without load."""
     free = blocked = False
+    if free_everywhere(drive):
+        return FITS
     for i in range(len(work.q)):
         work.q[i] = 0.0
     straighten(work)

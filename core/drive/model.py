@@ -228,6 +228,7 @@ def work_for(drive: Drive) -> Work:
         "p": bodies,
         "pb": (blocks, nb),
         "kept": bodies,
+        "first": bodies,
         "bends": (blocks, nb),
         "last": (blocks, nb),
         "older": (blocks, nb),
