@@ -168,15 +168,12 @@ class _Torques:
             self.moved += [each.code for each in others if _holds(each) and each.utilisation]
         self.exact = min((each.reserve for each in self.grow if not each.solved), default=math.inf)
         self.looks = {1.0: {each.code: each for each in found.checks if each.code in self.moved}}
-        self.there: dict[float, Results] = {}
 
     def at(self, factor: float, code: str) -> Check:
         """Check under a factor on the torque."""
-        if factor not in self.looks:
-            self.looks[factor], self.there[factor] = {}, self.results.under(factor)
-        made = self.looks[factor]
+        made = self.looks.setdefault(factor, {})
         if code not in made:
-            made[code] = crank_check(code, self.there[factor])
+            made[code] = crank_check(code, self.results.under(factor))
         return made[code]
 
     def holds(self, factor: float) -> bool | None:

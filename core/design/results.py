@@ -83,6 +83,7 @@ class Results:
     def __init__(self, design: Design, *, equal: bool = False, bounded: bool = True) -> None:
         self.design = design
         self.shared_equally, self.bounded = equal, bounded
+        self._others: dict[float, Results] = {}  # under other torques
         self.solved = design.as_made or (design.bends and not equal)
         """True if checks judge forces solved over the turn, with clearance, deviations, elastic
         satellites or bent pins; False if they judge ideal forces."""
@@ -147,10 +148,13 @@ class Results:
         return self.design.clearance_unknown and self.solved and not self.design.as_made
 
     def under(self, factor: float) -> "Results":
-        """Results with working and peak torque multiplied by a factor."""
-        torque, peak = self.design.output_torque * factor, self.design.load.peak_torque
-        more = {"load.output_torque": torque, "load.peak_torque": peak and peak * factor}
-        return Results(changed(self.design, more), equal=self.shared_equally)
+        """Results with working and peak torque multiplied by a factor, made once for each."""
+        if factor not in self._others:
+            torque, peak = self.design.output_torque * factor, self.design.load.peak_torque
+            more = {"load.output_torque": torque, "load.peak_torque": peak and peak * factor}
+            made = Results(changed(self.design, more), equal=self.shared_equally)
+            self._others[factor] = made
+        return self._others[factor]
 
     @cached_property
     def milder(self) -> dict[str, "Results"]:

@@ -41,7 +41,7 @@ MOST = 6_000_000
 WIDTHS = 1.0, 0.75, 0.5
 """Widths of the discs that are tried, over the largest one."""
 
-WIDEST, NARROWEST = 0.25, 3e-3
+WIDEST, NARROWEST = 1 / 3, 3e-3
 """Largest width of a disc over the diameter of the reducer, and least width, m."""
 
 COMPLIANCE = 2.8

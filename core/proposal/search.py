@@ -399,9 +399,10 @@ class Search:
                 family = screen.family(index)
                 if family in tried or any(self.shown[each] >= ALIKE for each in family):
                     continue
-                if len(self.judged) >= NEAREST and (
-                    reserve < HOPELESS or self._expected(screen, index) < least
-                ):
+                enough = len(self.judged) >= NEAREST
+                if (enough or least > 1) and self._expected(screen, index) < least:
+                    continue
+                if enough and reserve < HOPELESS:
                     continue
                 tried.add(family)
                 yield screen, index

@@ -4,6 +4,7 @@ the teeth; diameters of pins; bearings by name.
 
 import math
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, Literal
 
 import numpy as np
@@ -82,7 +83,8 @@ def pin_sizes() -> FloatArray:
     return np.array(rows) / 1e3
 
 
-def bought(*, widest: float, most: float) -> list[NamedBearing]:
+@cache
+def bought(*, widest: float, most: float) -> tuple[NamedBearing, ...]:
     """Bearings up to a width and an outer diameter, m, in ascending order of their dynamic ratings:
     those of which no other one is smaller outside, narrower, wider in its bore and carries more.
     """
@@ -98,4 +100,4 @@ def bought(*, widest: float, most: float) -> list[NamedBearing]:
         return sizes and more and one.bore_diameter >= other.bore_diameter
 
     best = [each for each in fitting if not any(better(other, each) for other in fitting)]
-    return sorted(best, key=lambda each: each.dynamic_rating)
+    return tuple(sorted(best, key=lambda each: each.dynamic_rating))
