@@ -149,7 +149,9 @@ class ProposeRequest(RequestModel, group="propose"):
     output: Literal["pins", "ring"] = quantity(
         "Output", help="Member that gives the output torque; the other one stands.", default="pins"
     )
-    discs: Literal[2, 3] = quantity("Discs", "K", help="Number of discs.", default=2)
+    discs: Literal[1, 2, 3] = quantity(
+        "Discs", "K", help="Number of discs; one comes with counterweights.", default=2
+    )
     min_efficiency: Maybe[float] = quantity(
         "Least efficiency", "η", help="Efficiency of pins and teeth.", ge=0.1, le=0.99
     )
@@ -307,29 +309,25 @@ def _paths() -> dict[str, list[tuple[str, ...]]]:
     return core_paths(CrankPlanetaryRequest)
 
 
-def _pointer(name: str) -> str:
-    """JSON pointer to a field of a request of `/crank-planetary` by its core name."""
+def _names(name: str) -> tuple[str, ...]:
+    """Names of a field of a request of `/crank-planetary`, outermost first, by its core name."""
     depth = name.count(".") + 1
-    return pointer(next(each for each in _paths()[name] if len(each) == depth))
+    return next(each for each in _paths()[name] if len(each) == depth)
 
 
-def in_json(document: Document) -> dict[str, Any]:
-    """Design document as a request of `/crank-planetary`."""
+def in_json(document: Document, within: str = "") -> dict[str, Any]:
+    """Design document, or a section of it by its core name, as a request of `/crank-planetary`."""
     body: dict[str, Any] = {}
-
-    def put(path: tuple[str, ...], value: Any) -> None:
+    for name, value in document.items():
+        path = f"{within}.{name}".lstrip(".")
+        own = _names(path)[-1]
         if isinstance(value, dict):
-            for name, each in value.items():
-                put((*path, name), each)
-            return
-        names = next(each for each in _paths()[".".join(path)] if len(each) == len(path))
-        inner = body
-        for name in names[:-1]:
-            inner = inner.setdefault(name, {})
-        shown = from_si(names[-1], value)
-        inner[names[-1]] = float(f"{shown:.9g}") if isinstance(shown, float) else shown
-
-    put((), document)
+            body[own] = in_json(value, path)
+        elif isinstance(value, list):
+            body[own] = [in_json(each, path) for each in value]
+        else:
+            shown = from_si(own, value)
+            body[own] = float(f"{shown:.9g}") if isinstance(shown, float) else shown
     return body
 
 
@@ -417,7 +415,7 @@ class _Found:
         lacks = []
         for code, over in found.ratios.items():
             check = found.unknown.get(code)
-            names = [_pointer(each) for each in check.missing] if check else []
+            names = [pointer(_names(each)) for each in check.missing] if check else []
             known = over if math.isfinite(over) else None
             lacks.append(
                 present({"code": code, "asked_over_reached": known, "missing": names or None})

@@ -216,10 +216,10 @@ class Screen:
         short = {code: ~(reserve >= 1) for code, reserve in self.reserves.items()}
         return self.failed | short
 
-    def family(self, index: int) -> tuple[tuple[str, float], tuple[str, str]]:
-        """Ring pins and bearings, in which designs differ, each beside the number of pins."""
-        bearing = self.bearings[self.bearing[index]].name
-        return (f"ring pins {self.pins}", float(self.ring_pin[index])), (f"{self.pins}", bearing)
+    def family(self, index: int) -> tuple[tuple[int, float], tuple[int, str]]:
+        """Ring pins and bearing of a design, which it shares with others, each with the ratio."""
+        ratio, bearing = self.demand.ratio, self.bearings[self.bearing[index]].name
+        return (ratio, float(self.ring_pin[index])), (ratio, bearing)
 
     def _teeth(self) -> FloatArray:
         """Radius of ring pins, radius of their circle and eccentricity of all teeth, m, as rows."""

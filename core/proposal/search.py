@@ -13,6 +13,7 @@ import numpy as np
 from core.checks.check import MARGIN, Check, Verdict
 from core.checks.contacts import PLASTICS
 from core.checks.reserve import crank_verdict
+from core.design.mass import mass
 from core.design.results import Results
 from core.errors import CalculationError
 from core.proposal.screen import MOST, Demand, Screen, numbers_of_pins
@@ -45,7 +46,8 @@ HOPELESS = 0.6
 """Estimated reserve below which designs are judged only for the one that comes nearest."""
 
 ALIKE = 2
-"""Number of designs with the same ring pins, or with the same bearings, that are shown."""
+"""Number of designs with the same ring pins and bearings, but other output pins, that are shown,
+the second one after all others."""
 
 NEAREST = 4
 """Number of designs that are judged for that one, if none promises more."""
@@ -134,6 +136,28 @@ def document(*, screen: Screen, index: int) -> Document:
         "tolerances": _tolerances(shop, at["touching"]),
         "requirements": asked,
     }
+
+
+def balanced(made: Document, results_of: Callable[[Document], Results]) -> Document:
+    """Design of one disc with counterweights in the planes of the crankshaft's bearings; the same
+    design if the mass of the disc or of its bearing is not known.
+    """
+    known = {each.code: each.mass for each in mass(results_of(made).design).parts}
+    disc, bearing = known["discs"], known["satellite_bearings"]
+    if disc is None or bearing is None:
+        return made
+    shaft = made["crankshaft"] | {"satellite_mass": float(f"{disc + bearing:.3g}")}
+    own = results_of(made | {"crankshaft": shaft})
+    planes = own.design.crankshaft.places["bearing_positions"]
+    shaft["counterweights"] = [
+        {
+            "unbalance": float(f"{each.unbalance:.3g}"),
+            "position": float(place),
+            "angle": each.angle,
+        }
+        for place, each in zip(planes, own.crank.balance.corrections, strict=True)
+    ]
+    return made | {"crankshaft": shaft}
 
 
 FIRST_YIELD = ("contact_static_cold", "ring_static_cold")
@@ -325,7 +349,7 @@ class Search:
         self.results_of, self.pieces = results_of, pieces
         self.judged: list[Judged] = []
         self.shares: dict[str, float] = {}  # judged over estimated reserve of checks not passed
-        self.shown = Counter[Any]()  # ring pins, and bearings, of designs that hold
+        self.shown = Counter[Any]()  # designs that hold, by what they share with others
         self.ended: Ended = "all"
         tried = [
             (demand, pins, diameter)
@@ -390,26 +414,28 @@ class Search:
                 yield self.screens[number], index, -less
 
     def _candidates(self) -> Iterator[tuple[Screen, int]]:
-        """Designs to judge of different families: first those expected to pass, then those expected
-        to be marginal.
+        """Designs to judge: first those expected to pass, then those expected to be marginal; of
+        these first those with other ring pins and other bearings than all that are shown.
         """
         ranked, tried = [*self._ranked()], set[Any]()
-        for least in (MARGIN, 1.0):
+        for least, alike in ((MARGIN, 0), (MARGIN, 1), (MARGIN, ALIKE), (1.0, ALIKE)):
             for screen, index, reserve in ranked:
                 family = screen.family(index)
-                if family in tried or any(self.shown[each] >= ALIKE for each in family):
+                shares = (family,) if alike else family
+                shown = sum(self.shown[each] for each in shares)
+                if (screen.pins, family) in tried or shown >= max(alike, 1):
                     continue
                 enough = len(self.judged) >= NEAREST
                 if (enough or least > 1) and self._expected(screen, index) < least:
                     continue
                 if enough and reserve < HOPELESS:
                     continue
-                tried.add(family)
+                tried.add((screen.pins, family))
                 yield screen, index
 
     def run(self, wanted: int) -> Iterator[Judged]:
         """Designs that hold, as they are found: `wanted` ones that pass, and then marginal ones, if
-        fewer pass. Of equal ring pins, and of equal bearings, at most `ALIKE` are held.
+        fewer pass. At most `ALIKE` have the same ring pins and bearings.
         """
         marginal, held = list[Judged](), 0
         for screen, index in self._candidates():
@@ -424,7 +450,8 @@ class Search:
                 self._learn(screen, index, found.verdict)
                 marginal += [found] * found.holds
             elif found.held:
-                self.shown.update(screen.family(index))
+                family = screen.family(index)
+                self.shown.update((family, *family))
                 held += 1
                 yield found
         for found in marginal:
@@ -465,6 +492,8 @@ class Search:
     def _judge(self, made: Document) -> Judged | None:
         """Design judged by the whole calculation; None if it is refused."""
         try:
+            if made["mechanism"]["satellites"] == 1:
+                made = balanced(made, self.results_of)
             results = self.results_of(made)
             found = Judged(made, results, crank_verdict(results), self.pieces)
         except CalculationError:

@@ -209,6 +209,30 @@ async def test_proposals_come_as_they_are_found(api: Any) -> None:
     assert math.isclose(found[-1]["progress"], 1.0)
 
 
+async def test_proposals_differ_in_ring_pins_and_bearings(api: Any) -> None:
+    answer = await once(api, EASY | {"wanted": 3})
+    designs = [each["design"] for each in answer["proposals"]]
+    assert len({each["gear"]["ring_pin_radius_mm"] for each in designs}) == 3
+    assert len({each["bearing"]["name"] for each in designs}) == 3
+
+
+async def test_one_disc_comes_with_its_counterweights(api: Any) -> None:
+    answer = await once(api, EASY | {"wanted": 1, "discs": 1, "outer_diameter_mm": 150})
+    ((design, verdict),) = [(each["design"], each["verdict"]) for each in answer["proposals"]]
+    first, last = design["crankshaft"]["counterweights"]
+    unbalance = design["crankshaft"]["satellite_mass_kg"] * design["contact"]["eccentricity_mm"]
+    both = first["unbalance_kg_mm"] + last["unbalance_kg_mm"]
+    assert math.isclose(both, unbalance, rel_tol=0.02)
+    assert first["position_mm"] < 0 < last["position_mm"]
+    posted = await api.answer("crank-planetary", design | {"include": ["checks"]})
+    (force,) = [each for each in posted["checks"] if each["code"] == "unbalance_force"]
+    assert posted["verdict"] == verdict and force["utilisation"] < 0.1
+    del design["crankshaft"]["counterweights"]
+    alone = await api.answer("crank-planetary", design | {"include": ["checks"]})
+    (force,) = [each for each in alone["checks"] if each["code"] == "unbalance_force"]
+    assert force["utilisation"] > 0.5
+
+
 def drawn(seed: int) -> dict[str, Any]:
     """A task of any size."""
     draw = random.Random(seed)
@@ -225,7 +249,7 @@ def drawn(seed: int) -> dict[str, Any]:
         "life_h": 10 ** draw.uniform(1, 5.3),
         "materials": {draw.choice(["disc", "pins", "ring_pins"]): draw.choice(METALS)},
         "output": "ring",
-        "discs": 3,
+        "discs": draw.choice([1, 3]),
         "min_efficiency": draw.uniform(0.5, 0.99),
         "max_backlash_arcmin": 10 ** draw.uniform(-1, 2),
     }

@@ -11,6 +11,7 @@ import pytest
 from core.errors import InvalidInput
 from core.output.elasticity import PinSupport
 from core.output.room import Deviations
+from core.output.stage import Solved
 from core.precision import EXACT
 from core.ring.profile import Modification
 from core.ring.series import MeshesInSeries, series_position
@@ -20,6 +21,7 @@ from core.tolerance.contributions import contributions
 from core.tolerance.draws import Spread
 from core.tolerance.study import QUANTITIES, Evaluation, tolerance_study
 from core.tolerance.tolerances import Tolerances
+from tests.inputs.plain_engine import plain
 from tests.inputs.real_mechanisms import STEEL
 from tests.inputs.series import drawn
 
@@ -222,6 +224,30 @@ def test_pieces_that_bind_in_either_mesh_are_seen() -> None:
     assert apart.values(apart.pieces().part(0, 1))[1].tolist() == [0]
     tight_pins = replace(series, output=replace(series.output, clearance=-2e-5))
     assert replace(study, real=tight_pins).values(study.pieces().part(0, 2))[1].tolist() == [0, 0]
+
+
+@pytest.mark.parametrize(("seed", "exact"), [(3, True), (8, False), (16, True)])
+def test_pieces_whose_errors_are_smaller_than_their_gaps_are_free_at_all_places(
+    seed: int, exact: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    series, torque = bare(seed, exact=exact)
+    study = SeriesStudy(series, WIDE, Evaluation(("backlash_max",), torque, 3), samples=30)
+    looked, seen = study.looked[::40], set[tuple[bool, int]]()
+    large = (
+        Tolerances(eccentricity=Spread(-2e-4, 2e-4)),
+        Tolerances(disc_phase=Spread(-1e-3, 1e-3)),
+        Tolerances(pin_position=8e-5, ring_pin_position=8e-5),
+    )
+    for tolerances in (WIDE, *large):
+        drives = study.drives(study.pieces(tolerances=tolerances))
+        room = Solved.of(drives, 3)
+        for drive in map(drives.drive, range(study.samples)):
+            sure = plain.free_everywhere(drive)
+            with monkeypatch.context() as looking:
+                looking.setattr(plain, "free_everywhere", lambda drive: False)
+                fits = plain.goes_together(looked, drive, room.work, room.rows[0])
+            seen.add((sure, fits))
+    assert {(True, 2), (False, 2)} <= seen and not {(True, 0), (True, 1)} & seen
 
 
 def replace_ring(series: MeshesInSeries, **changes: Any) -> MeshesInSeries:
