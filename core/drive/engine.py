@@ -1698,8 +1698,8 @@ def bend_on(part: float, work: Work) -> None:
 def position(
     phi: float, torque: float, warm: bool, far: bool, play: bool, drive: Drive, work: Work, row: Row
 ) -> int:
-    """Solve a crank angle and, if asked, its play; return the status. A warm start is from ``work``,
-    with a play and ``far`` from the last position by the same way beyond the first contact.
+    """Solve a crank angle and, if asked, its play; return the status. A warm start is from
+    ``work``, with a play and ``far`` away as far beyond the first contact as at the last position.
     """
     place(phi, drive, work)
     way, q, kept = math.copysign(1.0, torque), work.q, work.kept
