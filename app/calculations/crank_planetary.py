@@ -1,5 +1,7 @@
 """Crank-planetary reducer as one job: its figures and worked steps, by sections of the answer."""
 
+from contextlib import suppress
+
 from app.calculations.contact_force import contact_force_figure
 from app.calculations.crank_planetary_answer import (
     CrankPlanetaryResponse,
@@ -38,6 +40,7 @@ from app.sources import (
 )
 from app.theme import Figure, Theme
 from app.units import from_si
+from core.errors import NotKnown
 from core.design.drawings import MAX_DRAWN_PAIRS
 
 DRAWN_SAMPLES = 361
@@ -72,7 +75,11 @@ def _pattern_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
 
 
 def _force_figure(body: CrankPlanetaryRequest, theme: Theme) -> Figure:
-    """Forces; for solved forces with the largest ideal force as a thin line."""
+    """Forces; for solved forces with the largest ideal force as a thin line. Pins that do not go
+    into their holes have none, and are refused.
+    """
+    with suppress(NotKnown):
+        body.results.refuse_misfits()
     load = body.known_load
     force, switching = load.solve_for_drawing(body.carrying, body.design.members)
     ideal = ContactForceResponse.values(force)

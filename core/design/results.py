@@ -286,7 +286,7 @@ class Results:
         """Result of pins that do not fit into their holes."""
         return Fit(self.rooms, self.real)
 
-    def _refuse_misfits(self) -> None:
+    def refuse_misfits(self) -> None:
         """Refuse forces of pins that do not fit into their holes."""
         if self.fit.misfit not in FITS:
             raise self.fit.refusal()
@@ -295,7 +295,7 @@ class Results:
         """Solved forces under the torque times a factor > 0. `ImpossibleMechanism` is raised as by
         `Stage.solved`.
         """
-        self._refuse_misfits()
+        self.refuse_misfits()
         load = self.design.load
         return RealForces.solved(
             turn=self.over_turn,
@@ -323,7 +323,7 @@ class Results:
     def turn(self) -> Callable[[float], Turn]:
         """Mechanism solved over the turn, as a function of the torque, N*m, negative in reverse."""
         if self.in_series:
-            self._refuse_misfits()
+            self.refuse_misfits()
             return cache(lambda torque: SeriesTurn(self.series, torque))
         return cache(lambda torque: Turn(self.real, torque))
 

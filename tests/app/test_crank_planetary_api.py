@@ -106,6 +106,17 @@ async def test_no_figure_is_built_without_chart(api):
         assert (await api.post("cyclogram", json=MECHANISM)).status_code == 200
 
 
+async def test_no_forces_are_drawn_of_parts_that_cannot_be_put_together(api):
+    contact = {**JOB["contact"], "hole_clearance_mm": -0.05}
+    contact.pop("hole_radius_mm", None)
+    pressed = {**JOB, "contact": contact, "include": ["contact_force"]}
+    answer = await api.post("crank-planetary/chart", json=pressed)
+    assert answer.status_code == 422
+    assert answer.json()["type"] == "/problems/impossible-mechanism"
+    pattern = {**pressed, "include": ["cyclogram"]}
+    assert (await api.post("crank-planetary/chart", json=pattern)).status_code == 200
+
+
 async def test_sections_agree_with_their_own_endpoints(api):
     job = (await api.post("crank-planetary", json=JOB)).json()
     alone = {
