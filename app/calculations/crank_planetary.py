@@ -40,8 +40,8 @@ from app.sources import (
 )
 from app.theme import Figure, Theme
 from app.units import from_si
-from core.errors import NotKnown
 from core.design.drawings import MAX_DRAWN_PAIRS
+from core.errors import NotKnown
 
 DRAWN_SAMPLES = 361
 """Number of crank angles of solved forces in the figure."""
