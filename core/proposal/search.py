@@ -138,7 +138,7 @@ def document(*, screen: Screen, index: int) -> Document:
     }
 
 
-def balanced(made: Document, results_of: Callable[[Document], Results]) -> Document:
+def balanced(*, made: Document, results_of: Callable[[Document], Results]) -> Document:
     """Design of one disc with counterweights in the planes of the crankshaft's bearings; the same
     design if the mass of the disc or of its bearing is not known.
     """
@@ -493,7 +493,7 @@ class Search:
         """Design judged by the whole calculation; None if it is refused."""
         try:
             if made["mechanism"]["satellites"] == 1:
-                made = balanced(made, self.results_of)
+                made = balanced(made=made, results_of=self.results_of)
             results = self.results_of(made)
             found = Judged(made, results, crank_verdict(results), self.pieces)
         except CalculationError:

@@ -64,12 +64,15 @@ def test_a_reserve_lies_between_a_torque_that_holds_and_one_that_fails(times: fl
 @pytest.fixture
 def looked(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """Factors on the torque at which designs are solved again."""
-    seen: list[float] = []
+    seen, solved = list[float](), list[Results]()
     more = Results.under
 
     def look(results: Results, factor: float) -> Results:
-        seen.append(factor)
-        return more(results, factor)
+        made = more(results, factor)
+        if all(made is not each for each in solved):
+            solved.append(made)
+            seen.append(factor)
+        return made
 
     monkeypatch.setattr(Results, "under", look)
     return seen
