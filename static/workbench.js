@@ -208,11 +208,13 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     calculator,
     on: { turned: (angle) => store.apply(next.turned, angle), returned: () => store.apply(next.returned), selected: select },
   });
+  /** The address of the design as it is typed, which the bar of the browser shows a little later. */
+  const addressed = () => withVerdict(query(calculator.id, model, store.state.typed), next.verdictOf(store.state));
   /** What files say of the design at hand. */
   const titleBlock = () => ({
     ...Object.fromEntries(["title", "author", "revision"].map((label) => [label, store.state.typed.texts[label] ?? ""])),
     date: new Date().toISOString().slice(0, 10),
-    link: location.href,
+    link: new URL(`?${addressed()}`, location.href).href,
   });
   /** The calculation of the results on the screen, and what it was asked. */
   const calculated = () => {
@@ -397,7 +399,7 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
       closeStart?.();
       rest?.close();
       for (const figure of figures) figure.close();
-      on.address(withVerdict(query(calculator.id, model, store.state.typed), next.verdictOf(store.state)));
+      on.address(addressed());
     },
   };
 }

@@ -76,6 +76,9 @@ SOFT = tuple(
 )
 """Plastics of known strength."""
 
+WITHOUT_DENSITY = tuple(name for name in METALS + SOFT if MATERIALS[name].material.density is None)
+"""Materials whose discs have no known mass."""
+
 if TYPE_CHECKING:
     Metal = str
     DiscMaterial = str
@@ -179,7 +182,9 @@ class ProposeRequest(RequestModel, group="propose"):
         return self._seconds
 
     def refuse_beyond(self, settings: Settings) -> None:
-        """Refuse an empty range of ratios, and one with too many of them."""
+        """Refuse an empty range of ratios, one with too many of them, and one disc whose mass, for
+        its counterweights, is not known.
+        """
         super().refuse_beyond(settings)
         self._seconds = SHARE * settings.max_seconds
         count, low = len(self.ratios), self.ratios.start
@@ -187,6 +192,9 @@ class ProposeRequest(RequestModel, group="propose"):
             code = "less_than_equal" if count else "greater_than_equal"
             limit = low + MOST_RATIOS - 1 if count else low
             raise refusal("/ratio_to", code, limit=limit)
+        if self.discs == 1 and self.materials.disc in WITHOUT_DENSITY:
+            known = [name for name in METALS + SOFT if name not in WITHOUT_DENSITY]
+            raise refusal("/materials/disc", "literal_error", expected=", ".join(known))
 
     def cost(self) -> float:
         """Infinite, as a search takes seconds."""

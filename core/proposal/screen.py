@@ -42,7 +42,7 @@ WIDTHS = 1.0, 0.75, 0.5
 """Widths of the discs that are tried, over the largest one."""
 
 WIDEST, NARROWEST = 1 / 3, 3e-3
-"""Largest width of a disc over the diameter of the reducer, and least width, m."""
+"""Largest width of a disc over the diameter of the reducer, a rule of thumb, and least width, m."""
 
 COMPLIANCE = 2.8
 """Compliance of a line contact times width and reduced modulus: ``(2/pi)*(ln(4*R/a) - 1/2)`` at

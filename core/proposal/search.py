@@ -46,8 +46,7 @@ HOPELESS = 0.6
 """Estimated reserve below which designs are judged only for the one that comes nearest."""
 
 ALIKE = 2
-"""Number of designs with the same ring pins and bearings, but other output pins, that are shown,
-the second one after all others."""
+"""Number of designs with the same ring pins and bearings, but other output pins, that are shown."""
 
 NEAREST = 4
 """Number of designs that are judged for that one, if none promises more."""
@@ -138,23 +137,21 @@ def document(*, screen: Screen, index: int) -> Document:
     }
 
 
+MOVED = ("discs", "satellite_bearings")
+"""Parts that move on the circle of the eccentricity."""
+
+
 def balanced(*, made: Document, results_of: Callable[[Document], Results]) -> Document:
-    """Design of one disc with counterweights in the planes of the crankshaft's bearings; the same
-    design if the mass of the disc or of its bearing is not known.
+    """Design of one disc with counterweights in the planes of the crankshaft's bearings, to three
+    digits. The densities of discs and the masses of bearings have to be known.
     """
-    known = {each.code: each.mass for each in mass(results_of(made).design).parts}
-    disc, bearing = known["discs"], known["satellite_bearings"]
-    if disc is None or bearing is None:
-        return made
-    shaft = made["crankshaft"] | {"satellite_mass": float(f"{disc + bearing:.3g}")}
+    parts = mass(results_of(made).design).parts
+    moved = sum(each.mass or math.nan for each in parts if each.code in MOVED)
+    shaft = made["crankshaft"] | {"satellite_mass": float(f"{moved:.3g}")}
     own = results_of(made | {"crankshaft": shaft})
     planes = own.design.crankshaft.places["bearing_positions"]
     shaft["counterweights"] = [
-        {
-            "unbalance": float(f"{each.unbalance:.3g}"),
-            "position": float(place),
-            "angle": each.angle,
-        }
+        {"unbalance": float(f"{each.unbalance:.3g}"), "position": place, "angle": each.angle}
         for place, each in zip(planes, own.crank.balance.corrections, strict=True)
     ]
     return made | {"crankshaft": shaft}
@@ -418,12 +415,12 @@ class Search:
         these first those with other ring pins and other bearings than all that are shown.
         """
         ranked, tried = [*self._ranked()], set[Any]()
-        for least, alike in ((MARGIN, 0), (MARGIN, 1), (MARGIN, ALIKE), (1.0, ALIKE)):
+        passes = (MARGIN, False, 1), (MARGIN, True, 1), (MARGIN, True, ALIKE), (1.0, True, ALIKE)
+        for least, both, most in passes:
             for screen, index, reserve in ranked:
                 family = screen.family(index)
-                shares = (family,) if alike else family
-                shown = sum(self.shown[each] for each in shares)
-                if (screen.pins, family) in tried or shown >= max(alike, 1):
+                shown = max(self.shown[each] for each in ((family,) if both else family))
+                if (screen.pins, family) in tried or shown >= most:
                     continue
                 enough = len(self.judged) >= NEAREST
                 if (enough or least > 1) and self._expected(screen, index) < least:

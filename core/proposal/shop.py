@@ -4,7 +4,7 @@ the teeth; diameters of pins; bearings by name.
 
 import math
 from dataclasses import dataclass
-from functools import cache
+from functools import lru_cache
 from typing import Any, Literal
 
 import numpy as np
@@ -83,7 +83,7 @@ def pin_sizes() -> FloatArray:
     return np.array(rows) / 1e3
 
 
-@cache
+@lru_cache(maxsize=16)
 def bought(*, widest: float, most: float) -> tuple[NamedBearing, ...]:
     """Bearings up to a width and an outer diameter, m, in ascending order of their dynamic ratings:
     those of which no other one is smaller outside, narrower, wider in its bore and carries more.

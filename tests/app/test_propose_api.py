@@ -279,6 +279,7 @@ async def test_any_task_has_an_answer_within_what_is_asked(api: Any, seed: int) 
         ({"process": "sla"}, "/process", "literal_error"),
         ({"torque_Nm": 0}, "/torque_Nm", "greater_than_equal"),
         ({"materials": {"pins": "plastic_pla_printed"}}, "/materials/pins", "literal_error"),
+        ({"discs": 1, "materials": {"disc": "brass"}}, "/materials/disc", "literal_error"),
     ],
 )
 async def test_what_cannot_be_asked_is_refused_at_its_field(
