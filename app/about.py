@@ -23,7 +23,7 @@ from app.record import root_path
 from app.registry import CALCULATIONS, EXPORTS, NEGLECTED
 from app.sources import ISO_286
 from app.units import from_si, to_si
-from app.words import english
+from app.words import Language, words_in
 from core.bearings import BEARINGS, NamedBearing, Ratings
 from core.contact_life import LifeCurve
 from core.fields import SMALLEST
@@ -410,7 +410,7 @@ class ClassList(ResponseModel):
 
 
 class NoticeWords(ResponseModel):
-    """English words of a warning, with explanation."""
+    """Words of a warning, with explanation."""
 
     text: str = Field(description="Text of the warning.")
     title: str = Field(description="Title of the warning.")
@@ -420,7 +420,7 @@ class NoticeWords(ResponseModel):
 
 
 class CheckWords(ResponseModel):
-    """English words of a check."""
+    """Words of a check."""
 
     title: str = Field(description="Title of the check.")
     why: str = Field(description="Consequence if the check fails.")
@@ -432,8 +432,15 @@ class CheckWords(ResponseModel):
     )
 
 
+class FieldWords(ResponseModel):
+    """Words of a field of requests."""
+
+    title: str = Field(description="Title of the field.")
+    help: str = Field(description="Meaning of the field.")
+
+
 class Words(ResponseModel):
-    """English texts of the service by code, in a table for each kind of code. A code of a refusal,
+    """Texts of the service by code, in a table for each kind of code. A code of a refusal,
     warning, check or reason is in one of their tables, whichever of them uses it.
 
     A name in braces is a parameter of the refusal, warning or figure, whose value is put there,
@@ -477,6 +484,24 @@ class Words(ResponseModel):
     figures: dict[str, str] = Field(
         description="Texts of figures, by the id in `layout.meta.words`; an id that starts with "
         "`methods.` or `settings.` refers to the table of that name."
+    )
+    fields: Maybe[dict[str, FieldWords]] = Field(
+        default=None,
+        description="Fields of requests, by name, or by group and name where groups differ: "
+        "`pin.diameter_mm`. English is in the description of the API.",
+    )
+    materials: Maybe[dict[str, str]] = Field(
+        default=None, description="Materials, by name. English is in `/materials`."
+    )
+    material_groups: Maybe[dict[str, str]] = Field(
+        default=None, description="Groups of materials. English is in `/materials`."
+    )
+    examples: Maybe[dict[str, str]] = Field(
+        default=None, description="Examples, by `id`. English is in `/examples`."
+    )
+    neglected: Maybe[dict[str, str]] = Field(
+        default=None,
+        description="Effects that models leave out, by `code`. English is in `/calculations`.",
     )
 
 
@@ -591,15 +616,17 @@ async def examples() -> ExampleList:
 
 
 @cache
-def _words() -> Packed:
-    words = Words(**english())
+def _words(language: Language) -> Packed:
+    words = Words(**words_in(language))
     return Packed(orjson.dumps(words.model_dump(exclude_none=True)), JSON)
 
 
-@router.get("/words", operation_id="words", response_model=Words)
-async def words(request: Request) -> Response:
-    """English texts by code, from which other languages are made. Titles and help of fields are in
-    the description of the API; `/calculations`, `/materials` and `/examples` explain their own
-    codes and names.
+@router.get("/words", operation_id="words", response_model=Words, responses={422: RESPONSES[422]})
+async def words(
+    request: Request,
+    language: Annotated[Language, Query(description="Language of the texts.")] = "en",
+) -> Response:
+    """Texts by code. English titles and help of fields are in the description of the API;
+    `/calculations`, `/materials` and `/examples` explain their own codes and names in English.
     """
-    return _words().response(request.scope)
+    return _words(language).response(request.scope)

@@ -1,5 +1,5 @@
 // Runs before the first paint (a classic script in the head): a chosen theme never flashes, a language has its room, and the
-// modules of the calculator in the address are asked for with those of the page. Plotly is run while
+// modules of the calculator in the address and the words of the language are asked for with what the page needs. Plotly is run while
 // they are on their way.
 (() => {
   const linked = new URLSearchParams(location.search);
@@ -12,7 +12,9 @@
     // Without storage the system's theme holds.
   }
   // Room is kept for the words of a language from the first paint on.
-  document.documentElement.lang = languages.find((one) => ["en", "uk", "ru"].includes(one)) ?? "en";
+  const language = languages.find((one) => ["en", "uk", "ru"].includes(one)) ?? "en";
+  document.documentElement.lang = language;
+  const words = { rel: "preload", as: "fetch", crossOrigin: "anonymous", href: `api/v1/words?language=${language}` };
   const own = {
     "crank-planetary": ["index", "drawing", "mechanism", "ring", "sentences", "wanted"],
     rollers: ["index", "drawing", "sentences"],
@@ -22,8 +24,8 @@
   const asked = linked.get("calculator");
   const id = Object.hasOwn(own, asked) ? asked : "crank-planetary";
   const modules = own[id].map((name) => `static/calculators/${id}/${name}.js`);
-  document.head.append(...[...modules, ...shared].map((href) =>
-    Object.assign(document.createElement("link"), { rel: "modulepreload", href })));
+  const links = [words, ...[...modules, ...shared].map((href) => ({ rel: "modulepreload", href }))];
+  document.head.append(...links.map((about) => Object.assign(document.createElement("link"), about)));
   const plotly = Object.assign(document.createElement("script"), { src: "static/vendor/plotly/plotly-basic.min.js" });
   plotly.addEventListener("error", () => plotly.remove()); // the first figure tries again
   document.head.append(plotly);

@@ -16,8 +16,8 @@ import { formModel } from "./lib/schema_form.js";
 import { lasting, parsed, session } from "./lib/storage.js";
 import { setDiameters, setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
-import { LANGUAGES, message, ownWords, setEnglish, useLanguage } from "./messages/index.js";
-import { englishOf, passingText } from "./service_texts.js";
+import { LANGUAGES, message, ownWords, setWords, useLanguage } from "./messages/index.js";
+import { namedIn, passingText } from "./service_texts.js";
 import { createBar } from "./views/bar.js";
 import { chosenTheme, createSettings, onSystemTheme, setTheme } from "./views/settings.js";
 import { createTabs } from "./views/tabs.js";
@@ -36,9 +36,9 @@ let service = null;
 
 /** What the service says of itself, asked for already at the head of the page; after a failure anew. */
 function described() {
-  service ??= Promise.all(["/openapi.json", "/examples", "/materials", "/calculations", "/words"].map((path) => client.get(path)))
+  service ??= Promise.all(["/openapi.json", "/examples", "/materials", "/calculations", `/words?language=${language}`].map((path) => client.get(path)))
     .then((descriptions) => {
-      setEnglish(englishOf(descriptions));
+      setWords(descriptions.at(-1), namedIn(descriptions));
       return descriptions;
     })
     .catch((problem) => {

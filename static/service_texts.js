@@ -12,11 +12,10 @@ const FIELDS = ["field", "other"]; // parameters that are names of fields
 const LIMITS = ["limit", "low", "high", "value"]; // and values of the field that the text is about
 const MISSING = ["missing", "needed", "needed_beside", "not_sourced"]; // refusals that ask for something
 
-/** What the service says in English, by kind and code: its words, and what its other descriptions name. */
-export function englishOf([openapi, { examples }, { materials }, { calculations }, { was, ...words }]) {
+/** What the descriptions of the service name in English, by kind and code. */
+export function namedIn([openapi, { examples }, { materials }, { calculations }]) {
   const named = (list, code, text) => Object.fromEntries(list.map((one) => [one[code], one[text]]));
   return {
-    ...words,
     fields: fieldTexts(openapi),
     symbols: () => symbolsIn(openapi),
     materials: named(materials, "name", "title"),

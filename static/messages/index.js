@@ -1,6 +1,6 @@
 /**
- * The page's texts by key, from a file for each language that the service's reports read too, with `{name}` put in, in the language in use; under `service` what the service
- * says, by kind and code. What a language has no words of is said in English, as the service itself says it.
+ * The page's texts by key, from a file for each language that the service's reports read too, with `{name}` put in, in the language in use; and what
+ * the service says, by kind and code.
  */
 import { formatNumber, setNumerals } from "../lib/format.js";
 import { setUnitNames } from "../lib/units.js";
@@ -10,7 +10,8 @@ import en from "./en.json" with { type: "json" };
 export const LANGUAGES = { en: "English", uk: "Українська", ru: "Русский" };
 
 let texts = en;
-let english = {};
+let words = {}; // of the service, in the language in use
+let described = {}; // and in English, of things that it has words for in other languages alone
 let symbols = null; // of the quantities, once one is asked for
 let plural = new Intl.PluralRules("en");
 
@@ -22,13 +23,12 @@ export async function useLanguage(language) {
   setUnitNames(texts.unit);
 }
 
-/** Take what the service says in English: `{ kind: { code: words } }`, and what gives its symbols by section and name, `symbols()`. */
-export function setEnglish(words) {
-  english = words;
-  symbols = null;
+/** Take what the service says, `{ kind: { code: words } }`; what it says in English also gives its symbols by section and name, `symbols()`. */
+export function setWords(inLanguage, inEnglish) {
+  [words, described, symbols] = [inLanguage, inEnglish, null];
 }
 
-const wordsOf = (kind, code) => texts.service[kind]?.[code] ?? english[kind]?.[code];
+const wordsOf = (kind, code) => words[kind]?.[code] ?? described[kind]?.[code];
 
 /** A text with its places filled; one with forms of a noun takes that of `count`. */
 function filled(text, values) {
@@ -47,9 +47,9 @@ export function message(key, values = {}) {
 
 /** Words of the service by kind and code, a record of them where there are several; undefined for a code without words. */
 export function said(kind, code, values = {}) {
-  const allOf = (words) => {
-    if (typeof words !== "object" || words.other) return words && filled(words, values);
-    return Object.fromEntries(Object.entries(words).map(([name, one]) => [name, allOf(one)]));
+  const allOf = (text) => {
+    if (typeof text !== "object" || text.other) return text && filled(text, values);
+    return Object.fromEntries(Object.entries(text).map(([name, one]) => [name, allOf(one)]));
   };
   return allOf(wordsOf(kind, code));
 }
@@ -66,7 +66,7 @@ export function quantityTitle(name, section) {
 
 /** Symbol of a quantity of a section, "" for one that has none. */
 export function symbolOf(name, section) {
-  symbols ??= english.symbols();
+  symbols ??= described.symbols();
   return symbols[section]?.[name] ?? "";
 }
 
@@ -76,12 +76,12 @@ export function symbolOf(name, section) {
  */
 export function ownWords(name, group) {
   const named = `${group}.${name}`;
-  const { fields = {} } = texts.service;
+  const { fields = {} } = words;
   return fields[named] ?? texts.own[named] ?? fields[name] ?? null;
 }
 
 /** The same where no schema is at hand; null for a field that neither page nor service knows. */
 export function fieldWords(name, group) {
-  const { fields = {} } = english;
+  const { fields = {} } = described;
   return ownWords(name, group) ?? fields[`${group}.${name}`] ?? fields[name] ?? null;
 }

@@ -3,13 +3,14 @@
 import json
 import re
 from itertools import chain
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 
 from app import theme
 from app.examples import REQUESTS
 from app.registry import CALCULATIONS
+from app.words import Language
 from core.errors import METHODS
 from core.work_precision.study import SETTINGS
 
@@ -56,9 +57,10 @@ async def test_every_code_of_the_description_has_words_and_no_other(api):
     assert all(len(text) > 1 for text in leaves(words))
 
 
-async def test_what_a_text_names_is_a_name_only(api):
+@pytest.mark.parametrize("language", get_args(Language))
+async def test_what_a_text_names_is_a_name_only(api, language):
     """A format or a unit is that of whoever shows it."""
-    for text in leaves((await api.get("words")).json()):
+    for text in leaves((await api.get(f"words?language={language}")).json()):
         assert re.fullmatch(r"([^{}]|{[a-z_]\w*})*", text), text
         assert not re.search(r"{\w+_mm} mm", text), text
 

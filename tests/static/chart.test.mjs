@@ -2,9 +2,8 @@ import assert from "node:assert/strict";
 import { afterEach, test } from "node:test";
 
 import { coinciding, curveTables, enveloped, inShownUnits, overlaid, inLanguage, onPaper, pairsOf } from "../../static/lib/chart.js";
-import { useLanguage } from "../../static/messages/index.js";
 import { setUnits } from "../../static/lib/units.js";
-import "./service.mjs";
+import { useLanguage } from "./service.mjs";
 
 afterEach(() => setUnits("metric"));
 

@@ -4,8 +4,7 @@ import { test } from "node:test";
 
 import { assumedIn, checkRow, fixRow, isLimited, judgedOf, lookedAt, notConsidered, partRow, sizedBy, torqueUnknown, unknownIn, verdictSentence, wordNote, wordOf, wordText } from "../../static/lib/checks.js";
 import { solutionOf, solveBody, targetsOf } from "../../static/lib/sizing.js";
-import { useLanguage } from "../../static/messages/index.js";
-import "./service.mjs";
+import { useLanguage } from "./service.mjs";
 
 const PRESSURE = {
   code: "new_pressure", title: "Contact pressure of the hole", status: "fail", value: 548.2, limit: 484.9, unit: "MPa", keep: "below",

@@ -6,8 +6,8 @@ import { createBeside } from "../../static/besides.js";
 import calculator from "../../static/calculators/crank-planetary/index.js";
 import * as fit from "../../static/calculators/crank-planetary/fit.js";
 import { setDiameters } from "../../static/lib/units.js";
-import { LANGUAGES, useLanguage } from "../../static/messages/index.js";
-import "./service.mjs";
+import { LANGUAGES } from "../../static/messages/index.js";
+import { useLanguage } from "./service.mjs";
 
 const [{ shows }] = calculator.beside;
 

@@ -7,16 +7,17 @@ import { formatNumber, formatQuantity, inNumerals, parseNumber } from "../../sta
 import { formModel } from "../../static/lib/schema_form.js";
 import { setUnits } from "../../static/lib/units.js";
 import en from "../../static/messages/en.json" with { type: "json" };
-import { fieldWords, LANGUAGES, message, said, useLanguage } from "../../static/messages/index.js";
+import { fieldWords, LANGUAGES, message, said } from "../../static/messages/index.js";
 import { figureText } from "../../static/service_texts.js";
-import { english, openapi } from "./service.mjs";
+import { english, openapi, useLanguage } from "./service.mjs";
 
 const { symbols, ...spoken } = english;
 
 afterEach(() => useLanguage("en"));
 
 const OTHERS = Object.keys(LANGUAGES).filter((language) => language !== "en");
-const textsOf = async (language) => (await import(`../../static/messages/${language}.json`, { with: { type: "json" } })).default;
+const fileOf = async (path) => (await import(path, { with: { type: "json" } })).default;
+const textsOf = async (language) => ({ ...await fileOf(`../../static/messages/${language}.json`), service: await fileOf(`../../app/words/${language}.json`) });
 
 // Where languages differ by nature: names of their units.
 const OWN = ["unit"];

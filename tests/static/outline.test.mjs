@@ -5,8 +5,8 @@ import { CALCULATORS, calculatorOf } from "../../static/calculators/index.js";
 import { readState, shownFields, stateFromInput } from "../../static/lib/form_state.js";
 import { lineOf, shortOf } from "../../static/lib/outline.js";
 import { fieldsOf, formModel } from "../../static/lib/schema_form.js";
-import { LANGUAGES, message, ownWords, useLanguage } from "../../static/messages/index.js";
-import { openapi } from "./service.mjs";
+import { LANGUAGES, message, ownWords } from "../../static/messages/index.js";
+import { openapi, useLanguage } from "./service.mjs";
 
 const modelOf = (calculator, diameters = null) => formModel(openapi, { ...calculator, path: `/api/v1${calculator.path}`, words: ownWords, diameters });
 

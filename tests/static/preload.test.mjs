@@ -62,9 +62,11 @@ test("without a calculator in the address those of the first", () => {
 
 test("what the service says of itself is asked for in the way in which the page asks", () => {
   const paths = /\[([^\]]*)\]\.map\(\(path\) => client\.get\(path\)\)/.exec(textOf("/static/main.js"))[1];
-  const asked = linked("preload").filter((link) => link.as === "fetch");
-  assert.deepEqual(asked.map(({ href }) => href), paths.match(/[\w/.]+/g).map((path) => `api/v1${path}`));
-  assert.ok(asked.every((link) => link.crossorigin === "")); // as fetch does
+  for (const language of ["en", "uk"]) {
+    const asked = [...linked("preload"), ...asksAt(`?lang=${language}`)].filter((link) => link.as === "fetch");
+    assert.deepEqual(asked.map(({ href }) => href), paths.replace("${language}", language).match(/[\w/.?=]+/g).map((path) => `api/v1${path}`));
+    assert.ok(asked.every(({ crossorigin, crossOrigin }) => crossorigin === "" || crossOrigin === "anonymous")); // as fetch does
+  }
 });
 
 test("Plotly is run from where it has been asked for", () => {

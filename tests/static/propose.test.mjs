@@ -7,8 +7,8 @@ import { ask, FORM, nameOf, placed } from "../../static/calculators/crank-planet
 import { documentOf } from "../../static/calculators/crank-planetary/wanted.js";
 import { readState, stateFromInput } from "../../static/lib/form_state.js";
 import { fieldsOf, formModel } from "../../static/lib/schema_form.js";
-import { LANGUAGES, ownWords, quantityTitle, useLanguage } from "../../static/messages/index.js";
-import { openapi } from "./service.mjs";
+import { LANGUAGES, ownWords, quantityTitle } from "../../static/messages/index.js";
+import { openapi, useLanguage } from "./service.mjs";
 
 afterEach(() => useLanguage("en"));
 

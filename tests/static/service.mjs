@@ -1,9 +1,9 @@
-/** What the service says in English, by kind and code: asked of it and taken, as the page does. */
+/** What the service says, by kind and code: asked of it and taken, as the page does. */
 import { execFileSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
 
-import { setEnglish } from "../../static/messages/index.js";
-import { englishOf } from "../../static/service_texts.js";
+import { LANGUAGES, setWords, useLanguage as useTexts } from "../../static/messages/index.js";
+import { namedIn } from "../../static/service_texts.js";
 
 const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 const ASK = `
@@ -18,11 +18,21 @@ async def ask():
 
 asyncio.run(ask())
 `;
-const PATHS = ["openapi.json", "examples", "materials", "calculations", "words"];
+const PATHS = ["openapi.json", "examples", "materials", "calculations"];
+const WORDS = Object.keys(LANGUAGES).map((language) => `words?language=${language}`);
 
-const descriptions = JSON.parse(execFileSync(`${ROOT}.venv/bin/python`, ["-c", ASK, ...PATHS], {
+const answers = JSON.parse(execFileSync(`${ROOT}.venv/bin/python`, ["-c", ASK, ...PATHS, ...WORDS], {
   cwd: ROOT, encoding: "utf8", maxBuffer: 2 ** 24,
 }));
-export const [openapi, examples] = descriptions;
-export const english = englishOf(descriptions);
-setEnglish(english);
+export const [openapi, examples] = answers;
+const named = namedIn(answers);
+const words = Object.fromEntries(Object.keys(LANGUAGES).map((language, i) => [language, answers[PATHS.length + i]]));
+const { was, ...own } = words.en;
+export const english = { ...own, ...named };
+setWords(words.en, named);
+
+/** Page and service speak a language. */
+export async function useLanguage(language) {
+  await useTexts(language);
+  setWords(words[language], named);
+}

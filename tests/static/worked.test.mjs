@@ -9,10 +9,10 @@ import { listedOf } from "../../static/lib/checks.js";
 import { mathml, plainSymbol, plainText } from "../../static/lib/formula/mathml.js";
 import { parse } from "../../static/lib/formula/notation.js";
 import { setUnits } from "../../static/lib/units.js";
-import { LANGUAGES, useLanguage } from "../../static/messages/index.js";
+import { LANGUAGES } from "../../static/messages/index.js";
 import { valuesMarkup } from "../../static/views/results.js";
 import { askSteps, groupMarkup } from "../../static/views/worked.js";
-import "./service.mjs";
+import { useLanguage } from "./service.mjs";
 
 const ROOT = fileURLToPath(new URL("../..", import.meta.url));
 const ASK = `

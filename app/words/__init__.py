@@ -1,11 +1,15 @@
-"""Words by code: English of the service, other languages and the page's own words of `static`."""
+"""Words by code: of the service in each language, and the page's own words of `static`.
+
+English stands at the things that it names; `uk.json` and `ru.json` have it in their language, and
+also what other descriptions of the service say in English.
+"""
 
 import re
 from collections.abc import Mapping
 from dataclasses import asdict
 from functools import cache
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, cast
 
 import orjson
 
@@ -23,7 +27,7 @@ from core.worked import words as worked
 
 Language = Literal["en", "uk", "ru"]
 
-STATIC = Path(__file__).parent.parent / "static"
+STATIC = Path(__file__).parents[2] / "static"
 """Files of the page."""
 
 DIGITS = 4
@@ -91,6 +95,17 @@ def english() -> dict[str, Any]:
     return {kind: _named(table) for kind, table in tables.items()}
 
 
+@cache
+def words_in(language: Language) -> dict[str, Any]:
+    """Texts of the service in a language; English for codes that its file does not have."""
+    own, known = {} if language == "en" else _read(Path(__file__).parent, language), english()
+    return {kind: known.get(kind, {}) | own.get(kind, {}) for kind in known | own}
+
+
+def _read(folder: Path, language: Language) -> dict[str, Any]:
+    return cast(dict[str, Any], orjson.loads((folder / f"{language}.json").read_bytes()))
+
+
 MATERIAL_TITLES = {name: each.title for name, each in MATERIALS.items()}
 
 
@@ -99,8 +114,8 @@ class Words:
 
     def __init__(self, language: Language, titles: Mapping[str, str]) -> None:
         self.language, self.titles = language, titles
-        content = (STATIC / "messages" / f"{language}.json").read_bytes()
-        self.own: dict[str, Any] = orjson.loads(content)
+        self.own = _read(STATIC / "messages", language)
+        self.service = {"materials": MATERIAL_TITLES} | words_in(language)
 
     def message(self, *keys: str, **values: Any) -> str:
         """Text of the page by its keys, its places filled."""
@@ -115,9 +130,7 @@ class Words:
         return _filled(found.get("title", "") if isinstance(found, dict) else found, values)
 
     def _found(self, kind: str, code: str) -> Any:
-        ours = MATERIAL_TITLES if kind == "materials" else english().get(kind, {})
-        known = self.own["service"].get(kind, {}), ours
-        return next((each[code] for each in known if code in each), "")
+        return self.service.get(kind, {}).get(code, "")
 
     def number(self, value: float, digits: int = DIGITS) -> str:
         """Number to so many significant digits, whole ones without noughts after them.
@@ -149,7 +162,7 @@ class Words:
 
     def field(self, name: str, group: str = "") -> str:
         """Title of a field of requests."""
-        fields, own = self.own["service"].get("fields", {}), self.own["own"]
+        fields, own = self.service.get("fields", {}), self.own["own"]
         for key in (f"{group}.{name}", name):
             for table in (fields, own):
                 if key in table:
