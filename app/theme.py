@@ -4,7 +4,7 @@ Colours are those of Okabe and Ito, darkened for white and lightened for dark pa
 keep a contrast of 3:1; dash and hatch patterns repeat the information of colours.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 from typing import Any, Literal, NamedTuple
 
@@ -237,6 +237,9 @@ def _texts(figure: Figure) -> Iterator[tuple[list[str | int], Any]]:
         yield ["layout", "annotations", index, "text"], each["text"]
 
 
+LEGEND = {"orientation": "h", "y": 1.02, "yanchor": "bottom", "x": 0}
+"""Place of the legend: above the plot."""
+
 SERIES: dict[Theme, tuple[str, ...]] = {
     "light": ("#0072b2", "#b35900", "#007a5e", "#a3467f", "#5c6bc0", "#806600"),
     "dark": ("#5cb8f0", "#f0a04b", "#34c9a0", "#e39ac4", "#a5b0f5", "#e0cc4d"),
@@ -270,107 +273,150 @@ def series_style(index: int, theme: Theme) -> tuple[str, str, str]:
     return SERIES[theme][index % size], DASHES[index % size], HATCHES[index % size]
 
 
-def axis(theme: Theme, title: str, unit: str = "", **more: Any) -> Figure:
-    """Axis with its title and unit in the look of the theme."""
-    ink = INK[theme]
-    words = text("axis", title=title, unit=unit) if unit else title
-    return {
-        "title": {"text": words, "font": {"size": 13}},
-        "gridcolor": ink["grid"],
-        "linecolor": ink["muted"],
-        "zerolinecolor": ink["muted"],
-        "ticks": "outside",
-        "tickcolor": ink["muted"],
-        "tickformat": TICKS,
-        "automargin": True,
-        **more,
-    }
+def shown(words: str) -> str:
+    """Text of an id; any other text as it stands."""
+    return text(words) if words in TEXTS else words
 
 
-def layout(theme: Theme, **more: Any) -> Figure:
-    """Layout from which every figure starts."""
-    return {
-        "font": {"color": INK[theme]["text"], "family": "system-ui, sans-serif", "size": 12},
-        "paper_bgcolor": "rgba(0,0,0,0)",
-        "plot_bgcolor": "rgba(0,0,0,0)",
-        "margin": {"l": 56, "r": 16, "t": 16, "b": 48},
-        "hovermode": "closest",
-        "legend": {"orientation": "h", "y": 1.02, "yanchor": "bottom", "x": 0},
-        **more,
-    }
+class Chart:
+    """Figure in the making: axes, traces, and what stands beside them.
 
+    An axis has the name that traces give it (`y2`); traces name their upright axis, and belong to
+    the other one that this is anchored to. Titles and names are ids of `TEXTS`, or texts as they
+    stand.
+    """
 
-def note(theme: Theme, words: str, **place: Any) -> Figure:
-    """Annotation without an arrow unless `place` sets one."""
-    return {
-        "text": words,
-        "showarrow": False,
-        "font": {"size": 12, "color": INK[theme]["text"]},
-        **place,
-    }
+    def __init__(self, theme: Theme, **look: Any) -> None:
+        self.theme, self.ink = theme, INK[theme]
+        self.traces: list[Figure] = []
+        self.units: dict[str, str] = {}
+        self.layout: Figure = {
+            "font": {"color": self.ink["text"], "family": "system-ui, sans-serif", "size": 12},
+            "paper_bgcolor": "rgba(0,0,0,0)",
+            "plot_bgcolor": "rgba(0,0,0,0)",
+            "margin": {"l": 56, "r": 16, "t": 16, "b": 48},
+            "hovermode": "closest",
+            "legend": LEGEND,
+            "shapes": [],
+            "annotations": [],
+            **look,
+        }
 
+    @property
+    def figure(self) -> Figure:
+        """The figure for Plotly."""
+        return {"data": self.traces, "layout": self.layout}
 
-def vertical_line(theme: Theme, x: float, *, ink: str = "grid", **more: Any) -> Figure:
-    """Thin vertical line over the whole height of the plot."""
-    return {
-        "type": "line",
-        "xref": "x",
-        "yref": "paper",
-        "x0": x,
-        "x1": x,
-        "y0": 0,
-        "y1": 1,
-        "layer": "below",
-        "line": {"color": INK[theme][ink], "width": 1},
-        **more,
-    }
+    def axis(self, name: str, title: str, unit: str = "", **more: Any) -> None:
+        """Add an axis with its title and unit."""
+        title = shown(title)
+        words = text("axis", title=title, unit=unit) if unit else title
+        self.units[name] = unit
+        self.layout[f"{name[0]}axis{name[1:]}"] = {
+            "title": {"text": words, "font": {"size": 13}},
+            "gridcolor": self.ink["grid"],
+            "linecolor": self.ink["muted"],
+            "zerolinecolor": self.ink["muted"],
+            "ticks": "outside",
+            "tickcolor": self.ink["muted"],
+            "tickformat": TICKS,
+            "automargin": True,
+            **more,
+        }
 
+    def trace(self, kind: str, name: str, hovered: str = "", axis: str = "y", **more: Any) -> None:
+        """Add a trace of a type on an upright axis; without a text to show it says its numbers."""
+        across = more.setdefault("xaxis", self.layout[f"yaxis{axis[1:]}"].get("anchor", "x"))
+        name = shown(name)
+        made = {"type": kind, "name": name, "yaxis": axis} | more
+        if "hoverinfo" not in more:
+            made["hovertemplate"] = hover(hovered or self._numbers(name, axis, across))
+        self.traces.append(made)
 
-def curve(
-    name: str,
-    x: Numbers,
-    y: Numbers,
-    index: int,
-    theme: Theme,
-    hovered: str,
-    *,
-    colour: int | None = None,
-    **more: Any,
-) -> Figure:
-    """Line in the style of its index (or in another colour), rounded to screen resolution."""
-    _, dash, _ = series_style(index, theme)
-    ink, _, _ = series_style(index if colour is None else colour, theme)
-    return {
-        "type": "scatter",
-        "mode": "lines",
-        "name": name,
-        "x": drawn(x),
-        "y": drawn(y),
+    def _numbers(self, name: str, axis: str, across: str) -> Text:
+        """Text of a point: its value, and its angle or place."""
+        value, unit = Amount("%{y:.5g}", self.units[axis]), self.units[across]
+        if unit == "°":
+            return text("at_angle", name=name, value=value, angle=Amount("%{x:.2f}", unit))
+        return text("at_place", name=name, value=value, place=Amount("%{x:.4g}", unit))
+
+    def curve(
+        self,
+        name: str,
+        x: Numbers,
+        y: Numbers,
+        index: int = 0,
+        hovered: str = "",
+        *,
+        colour: int | None = None,
+        line: Figure | None = None,
+        **more: Any,
+    ) -> None:
+        """Add a line in the style of its index (or in another colour, or as `line` says), rounded
+        to screen resolution.
+        """
+        _, dash, _ = series_style(index, self.theme)
+        ink, _, _ = series_style(index if colour is None else colour, self.theme)
         # Plotly's simplification would leave out points until the curve shows corners.
-        "line": {"color": ink, "dash": dash, "width": 2, "simplify": False},
-        "hovertemplate": hover(hovered),
-        **more,
-    }
+        look = {"color": ink, "dash": dash, "width": 2, "simplify": False} | (line or {})
+        points: Figure = {"mode": "lines", "x": drawn(x), "y": drawn(y), "line": look}
+        self.trace("scatter", name, hovered, **points | more)
 
+    def locus_and_turn(
+        self, across: str, along: str, unit: str, over_turn: str, its_unit: str, **more: Any
+    ) -> None:
+        """Add axes of a locus at the left, and of what changes over the turn at the right."""
+        self.axis("x", across, unit, domain=[0, 0.42])
+        self.axis("y", along, unit, scaleanchor="x")
+        self.axis("x2", "crank_angle", "°", domain=[0.58, 1], anchor="y2")
+        self.axis("y2", over_turn, its_unit, anchor="x2", **more)
 
-def marker(name: str, x: float, y: float, theme: Theme, hovered: str, **more: Any) -> Figure:
-    """Mark of the user's own design, or of a peak, on a curve."""
-    return {
-        "type": "scatter",
-        "mode": "markers",
-        "name": name,
-        "x": [x],
-        "y": [y],
-        "cliponaxis": False,  # whole at the ends of the axes too
-        "marker": {
-            "symbol": "diamond-open",
+    def locus(self, name: str, x: Numbers, y: Numbers, index: int = 0, **more: Any) -> None:
+        """Add a curve in a plane."""
+        along, across = (Amount(f"%{{{each}:.5g}}", self.units[each]) for each in "xy")
+        hovered = text("locus_hover", name=shown(name), along=along, across=across)
+        self.curve(name, x, y, index, hovered, **more)
+
+    def mark(self, name: str, x: float, y: float, hovered: str = "", **more: Any) -> None:
+        """Add a mark of the user's own design, or of a peak, on a curve."""
+        look: Figure = {
+            "symbol": more.pop("symbol", "diamond-open"),
             "size": 12,
-            "color": INK[theme]["alert"],
             "line": {"width": 2},
-        },
-        "hovertemplate": hover(hovered),
-        **more,
-    }
+        }
+        look["color"] = self.ink["alert"]
+        # Whole at the ends of the axes too.
+        point: Figure = {"mode": "markers", "x": [x], "y": [y], "cliponaxis": False, "marker": look}
+        self.trace("scatter", name, hovered, **point | more)
+
+    def bars(self, name: str, index: int, hovered: str = "", **more: Any) -> None:
+        """Add bars in the style of their index."""
+        colour, _, hatch = series_style(index, self.theme)
+        pattern = {"shape": hatch, "fillmode": "overlay", "size": 7}
+        look = {"color": colour, "line": {"color": colour, "width": 1}, "pattern": pattern}
+        self.trace("bar", name, hovered, marker=look, **more)
+
+    def shape(self, kind: str, start: float, stop: float, **more: Any) -> None:
+        """Add a shape over the whole height of the plot, behind the curves."""
+        across = {"x0": start, "x1": stop, "xref": "x"}
+        upright = {"y0": 0, "y1": 1, "yref": "paper", "layer": "below"}
+        self.layout["shapes"].append({"type": kind} | across | upright | more)
+
+    def verticals(self, places: Iterable[float], ink: str = "grid", **more: Any) -> None:
+        """Add thin vertical lines."""
+        for x in places:
+            self.shape("line", x, x, **{"line": {"color": self.ink[ink], "width": 1}} | more)
+
+    def shaded(self, start: float, stop: float, **more: Any) -> None:
+        """Add a stretch in the colour of alerts."""
+        look: Figure = {"fillcolor": self.ink["alert"], "line": {"width": 0}}
+        self.shape("rect", start, stop, **look | more)
+
+    def note(self, words: str, **place: Any) -> None:
+        """Add a text at a place."""
+        font = {"size": 12, "color": self.ink["text"]}
+        own = {"text": shown(words), "showarrow": False, "font": font}
+        self.layout["annotations"].append(own | place)
 
 
 def drawn(values: Numbers) -> NDArray[np.floating[Any]]:

@@ -14,21 +14,7 @@ from app.model import (
 )
 from app.rules import Forms
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018, ZYL
-from app.theme import (
-    IDEAL,
-    INK,
-    Amount,
-    Figure,
-    Theme,
-    axis,
-    curve,
-    drawn,
-    layout,
-    marker,
-    note,
-    text,
-    vertical_line,
-)
+from app.theme import IDEAL, Amount, Chart, Figure, Theme, drawn, text
 from app.units import from_si
 from app.worked import Steps
 from core.arrays import FloatArray
@@ -95,72 +81,30 @@ def contact_force_figure(
     ideal : dict, optional
         Ideal forces with curves beside solved ones; their largest force is drawn as a thin line.
     """
-    curves, peak_pair = answer["curves"], answer["peak_pair"]
-    angles, forces = drawn(curves["crank_angle_deg"]), drawn(curves["force_N"])  # all at once
-    data = [
-        curve(
-            f"{pair['satellite']}.{pair['pin']}",
-            angles,
-            force,
-            pair["pin"] - 1,
-            theme,
-            text(
-                "pair_force", **pair, force=Amount("%{y:.5g}", "N"), angle=Amount("%{x:.2f}", "°")
-            ),
-            colour=pair["satellite"] - 1,
-        )
-        for pair, force in zip(curves["pairs"], forces, strict=True)
-    ]
-    top = answer["peak_force_N"]
+    curves, top = answer["curves"], answer["peak_force_N"]
+    x, y = answer["peak_crank_angle_deg"], answer["peak_force_N"]
     if ideal is not None:
         top = max(top, ideal["peak_force_N"])
-        data.append(_ideal_largest(ideal["curves"], theme))
-    peak = {"x": answer["peak_crank_angle_deg"], "y": answer["peak_force_N"]}
-    data.append(
-        marker(
-            text("peak"),
-            peak["x"],
-            peak["y"],
-            theme,
-            text(
-                "peak_hover",
-                **peak_pair,
-                force=Amount("%{y:.6g}", "N"),
-                angle=Amount("%{x:.3f}", "°"),
-            ),
-        )
-    )
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            height=380,
-            xaxis=axis(theme, text("crank_angle"), "°", range=[0, 360], dtick=30),
-            yaxis=axis(theme, text("contact_force"), "N", range=[0, 1.15 * top]),
-            shapes=[vertical_line(theme, place) for place in np.round(switching_deg, 4).tolist()],
-            annotations=[
-                note(
-                    theme,
-                    text("amount", amount=Amount(answer["peak_force_N"], "N", 5)),
-                    xref="x",
-                    yref="y",
-                    **peak,
-                    yshift=16,
-                    xanchor="left" if peak["x"] < 180 else "right",
-                ),
-            ],
-        ),
-    }
-
-
-def _ideal_largest(curves: Values, theme: Theme) -> Figure:
-    """Curve of the largest ideal force of all pairs."""
-    name, angle = text("ideal_largest"), Amount("%{x:.2f}", "°")
-    hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "N"), angle=angle)
-    largest = np.max(drawn(curves["force_N"]), axis=0)
-    own = curve(name, curves["crank_angle_deg"], largest, 0, theme, hovered)
-    line = own["line"] | {"width": 1, "dash": "dot", "color": INK[theme]["text"]}
-    return own | {"meta": IDEAL, "line": line}
+    chart = Chart(theme, height=380)
+    chart.axis("x", "crank_angle", "°", range=[0, 360], dtick=30)
+    chart.axis("y", "contact_force", "N", range=[0, 1.15 * top])
+    angles, forces = drawn(curves["crank_angle_deg"]), drawn(curves["force_N"])  # all at once
+    shown = {"force": Amount("%{y:.5g}", "N"), "angle": Amount("%{x:.2f}", "°")}
+    for pair, force in zip(curves["pairs"], forces, strict=True):
+        satellite, pin = pair["satellite"], pair["pin"]
+        hovered, colour = text("pair_force", **pair, **shown), satellite - 1
+        chart.curve(f"{satellite}.{pin}", angles, force, pin - 1, hovered, colour=colour)
+    if ideal is not None:
+        largest = np.max(drawn(ideal["curves"]["force_N"]), axis=0)
+        thin = {"width": 1, "dash": "dot", "color": chart.ink["text"]}
+        ideal_angles = ideal["curves"]["crank_angle_deg"]
+        chart.curve("ideal_largest", ideal_angles, largest, meta=IDEAL, line=thin)
+    shown = {"force": Amount("%{y:.6g}", "N"), "angle": Amount("%{x:.3f}", "°")}
+    chart.mark("peak", x, y, text("peak_hover", **answer["peak_pair"], **shown))
+    chart.verticals(np.round(switching_deg, 4).tolist())
+    side = {"yshift": 16, "xanchor": "left" if x < 180 else "right"}
+    chart.note(text("amount", amount=Amount(y, "N", 5)), x=x, y=y, xref="x", yref="y", **side)
+    return chart.figure
 
 
 def solve(body: ContactForceRequest) -> Values:

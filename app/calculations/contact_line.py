@@ -1,5 +1,6 @@
 """Contact lines of the precessional gear: request, answer, figure."""
 
+import cmath
 import math
 from typing import Literal
 
@@ -18,7 +19,7 @@ from app.model import (
     timed,
 )
 from app.sources import KHATETOVSKY_2020
-from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, series_style, text
+from app.theme import Amount, Chart, Figure, Theme, text
 from app.worked import Steps
 from core.errors import InvalidInput
 from core.precession.contact_line import (
@@ -118,122 +119,10 @@ MOST_NAMED = 12
 """Largest number of rollers that a legend names."""
 
 
-def contact_line_figure(
-    answer: Values,
-    roller_circle_radius_mm: float,
-    roller_radius_mm: float,
-    theme: Theme,
-) -> Figure:
-    """Contact lines developed on their rollers, and the wheel along its axis and from the side.
-
-    `answer` is a `ContactLineResponse` with points, in mm and degrees; the radii are R_C and rho.
-    """
-    data, lines = [], answer["lines"]
-    for index, line in enumerate(lines):
-        points = line["points"]
-        colour, _, _ = series_style(index, theme)
-        name = text("roller_angle", angle=Amount(line["position_angle_deg"], "°"))
-        group: Figure = {
-            "legendgroup": str(index),
-            "showlegend": len(lines) <= MOST_NAMED,
-        }
-        data.append(
-            curve(
-                name,
-                points["x_mm"],
-                points["z_mm"],
-                index,
-                theme,
-                text(
-                    "length_of_line",
-                    name=name,
-                    length=Amount(line["length_mm"], "mm", 5),
-                    x=Amount("%{x:.4g}", "mm"),
-                    z=Amount("%{y:.4g}", "mm"),
-                ),
-                **group,
-            )
-        )
-        seen: Figure = {
-            "xaxis": "x2",
-            "yaxis": "y2",
-            "legendgroup": str(index),
-            "showlegend": False,
-        }
-        angle = math.radians(line["position_angle_deg"])
-        x, y = _circle(
-            -roller_circle_radius_mm * math.sin(angle),
-            roller_circle_radius_mm * math.cos(angle),
-            roller_radius_mm,
-        )
-        data.append(
-            curve(name, x, y, index, theme, name, **seen)
-            | {"line": {"color": colour, "width": 1, "simplify": False}}
-        )
-        side = seen | {"xaxis": "x3"}
-        middle = roller_circle_radius_mm * math.cos(angle)
-        low, high = line["z_min_mm"], line["z_max_mm"]
-        bottom, top = middle - roller_radius_mm, middle + roller_radius_mm
-        data.append(
-            curve(
-                name,
-                [low, high, high, low, low],
-                [bottom, bottom, top, top, bottom],
-                index,
-                theme,
-                name,
-                **side,
-            )
-            | {"line": {"color": colour, "width": 1, "simplify": False}}
-        )
-        on_line = text("contact_line", name=name)
-        across, upward, along = points["position_mm"].T
-        for horizontal, view in ((across, seen), (along, side)):
-            data.append(
-                curve(name, horizontal, upward, index, theme, on_line, **view)
-                | {"line": {"color": colour, "width": 4, "simplify": False}}
-            )
-    x, y = _circle(0.0, 0.0, roller_circle_radius_mm)
-    data.append(
-        curve(
-            text("roller_circle"),
-            x,
-            y,
-            2,
-            theme,
-            text("roller_circle"),
-            xaxis="x2",
-            yaxis="y2",
-            showlegend=False,
-        )
-        | {"line": {"color": INK[theme]["muted"], "width": 1, "dash": "dot", "simplify": False}}
-    )
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            height=820,
-            xaxis=axis(theme, text("arc_on_roller"), "mm", anchor="y"),
-            yaxis=axis(theme, text("along_axis"), "mm", domain=[0.6, 1]),
-            xaxis2=axis(
-                theme,
-                "x",
-                "mm",
-                anchor="y2",
-                domain=[0, 0.62],
-                constrain="domain",  # the wheel fills its panel at any width
-                constraintoward="left",
-            ),
-            xaxis3=axis(theme, "z", "mm", anchor="y2", domain=[0.7, 1]),
-            yaxis2=axis(theme, "y", "mm", domain=[0, 0.48], scaleanchor="x2", constrain="domain"),
-        ),
-    }
-
-
-def _circle(x: float, y: float, radius: float) -> tuple[list[float], list[float]]:
+def _circle(centre: complex, radius: float) -> tuple[list[float], list[float]]:
     """Points of a circle."""
-    angles = [2 * math.pi * i / 48 for i in range(49)]
-    return [x + radius * math.cos(a) for a in angles], [y + radius * math.sin(a) for a in angles]
+    points = [centre + radius * cmath.exp(2j * math.pi * i / 48) for i in range(49)]
+    return [each.real for each in points], [each.imag for each in points]
 
 
 def solve(body: ContactLineRequest) -> Values:
@@ -243,8 +132,41 @@ def solve(body: ContactLineRequest) -> Values:
 
 def figure(body: ContactLineRequest, theme: Theme = "light") -> Figure:
     """Contact lines developed on the rollers, and the wheel seen along its axis."""
-    lines = solve(body.model_copy(update={"include": ["points"], "samples": 41}))
-    return contact_line_figure(lines, body.roller_circle_radius_mm, body.roller_radius_mm, theme)
+    lines = solve(body.model_copy(update={"include": ["points"], "samples": 41}))["lines"]
+    circle, radius = body.roller_circle_radius_mm, body.roller_radius_mm
+    chart = Chart(theme, height=820)
+    chart.axis("x", "arc_on_roller", "mm", anchor="y")
+    chart.axis("y", "along_axis", "mm", domain=[0.6, 1])
+    # The wheel fills its panel at any width.
+    wheel: Figure = {"constrain": "domain", "constraintoward": "left"}
+    chart.axis("x2", "x", "mm", anchor="y2", domain=[0, 0.62], **wheel)
+    chart.axis("x3", "z", "mm", anchor="y2", domain=[0.7, 1])
+    equal: Figure = {"scaleanchor": "x2", "constrain": "domain", "anchor": "x2"}
+    chart.axis("y2", "y", "mm", domain=[0, 0.48], **equal)
+    place = {"x": Amount("%{x:.4g}", "mm"), "z": Amount("%{y:.4g}", "mm")}
+    thin, thick = {"dash": "solid", "width": 1}, {"dash": "solid", "width": 4}
+    for index, line in enumerate(lines):
+        points, degrees = line["points"], line["position_angle_deg"]
+        name = text("roller_angle", angle=Amount(degrees, "°"))
+        length = Amount(line["length_mm"], "mm", 5)
+        hovered = text("length_of_line", name=name, length=length, **place)
+        own: Figure = {"legendgroup": str(index), "showlegend": len(lines) <= MOST_NAMED}
+        chart.curve(name, points["x_mm"], points["z_mm"], index, hovered, **own)
+        across, upward, along = points["position_mm"].T
+        at = circle * 1j * cmath.exp(1j * math.radians(degrees))
+        low, high = line["z_min_mm"], line["z_max_mm"]
+        bottom, top = at.imag - radius, at.imag + radius
+        sides = [low, high, high, low, low], [bottom, bottom, top, top, bottom]
+        on_line = text("contact_line", name=name)
+        view: Figure = own | {"axis": "y2", "showlegend": False}
+        chart.curve(name, *_circle(at, radius), index, name, line=thin, **view)
+        chart.curve(name, *sides, index, name, line=thin, xaxis="x3", **view)
+        chart.curve(name, across, upward, index, on_line, line=thick, **view)
+        chart.curve(name, along, upward, index, on_line, line=thick, xaxis="x3", **view)
+    name, dotted = text("roller_circle"), {"color": chart.ink["muted"], "width": 1, "dash": "dot"}
+    whole: Figure = {"axis": "y2", "showlegend": False, "line": dotted}
+    chart.curve(name, *_circle(0, circle), 2, name, **whole)
+    return chart.figure
 
 
 CALCULATION = Calculation(

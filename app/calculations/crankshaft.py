@@ -26,11 +26,11 @@ from app.model import (
     timed,
 )
 from app.sources import ISO_281, YANCHEVSKIY_2021
-from app.theme import Amount, Figure, Theme, axis, curve, layout, text
+from app.theme import Chart, Figure, Theme, text
 from app.units import from_si
 from app.worked import Steps
 from core.crank.balance import Balance, Correction
-from core.crank.crankshaft import Crankshaft, ReactionCurves
+from core.crank.crankshaft import Crankshaft
 from core.design.curves import design_reactions
 from core.worked.crank import shaft_steps
 
@@ -55,11 +55,6 @@ class CrankshaftRequest(StrengthFields, WorkedFields):
     def steps(self) -> Steps:
         """Worked steps of reactions, lives and balance."""
         return {"crankshaft": shaft_steps(self.results)}
-
-    def solve_for_drawing(self) -> tuple[Crankshaft, ReactionCurves]:
-        """Reactions and balance, and curves over the turn."""
-        angles, _ = self.drawn_angles()
-        return self.solve(), design_reactions(results=self.results, crank_angle=angles)
 
 
 class ShaftBearingOut(ResponseModel):
@@ -104,33 +99,6 @@ class CrankshaftResponse(DocumentResponse, of=Crankshaft):
         return super().values(result, run_time_us, bearings=rows, **given)
 
 
-def reaction_figure(curves: ReactionCurves, theme: Theme) -> Figure:
-    """Reactions in the crank's frame at the left, over the turn at the right."""
-    angles = from_si("crank_angle_deg", curves.crank_angle)
-    force = Amount("%{y:.5g}", "N")
-    data = []
-    for index, letter in enumerate("AB"):
-        name = text("bearing", letter=letter)
-        own = curves.reaction[:, index]
-        hovered = text("locus_hover", name=name, along=Amount("%{x:.5g}", "N"), across=force)
-        data.append(curve(name, own.imag, own.real, index, theme, hovered, legendgroup=letter))
-        hovered = text("at_angle", name=name, value=force, angle=Amount("%{x:.2f}", "°"))
-        more: dict[str, Any] = {"xaxis": "x2", "yaxis": "y2", "legendgroup": letter}
-        more["showlegend"] = False
-        data.append(curve(name, angles, np.abs(own), index, theme, hovered, **more))
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            height=420,
-            xaxis=axis(theme, text("across_first_crank"), "N", domain=[0, 0.42]),
-            yaxis=axis(theme, text("along_first_crank"), "N", scaleanchor="x"),
-            xaxis2=axis(theme, text("crank_angle"), "°", domain=[0.58, 1], anchor="y2"),
-            yaxis2=axis(theme, text("reaction"), "N", anchor="x2", rangemode="tozero"),
-        ),
-    }
-
-
 def solve(body: CrankshaftRequest) -> Values:
     """Reactions of the crankshaft's bearings, their life, and its balance."""
     return CrankshaftResponse.values(*timed(body.solve), forces=body.forces)
@@ -139,8 +107,18 @@ def solve(body: CrankshaftRequest) -> Values:
 def figure(body: CrankshaftRequest, theme: Theme = "light") -> Figure:
     """Reactions in the crank's frame and over the turn as a Plotly figure, ready for Plotly.js."""
     body.mechanism.refuse_undrawable()
-    _, curves = body.solve_for_drawing()
-    return reaction_figure(curves, theme)
+    angles, _ = body.drawn_angles()
+    curves = design_reactions(results=body.results, crank_angle=angles)
+    chart = Chart(theme, height=420)
+    plane = ("across_first_crank", "along_first_crank", "N")
+    chart.locus_and_turn(*plane, "reaction", "N", rangemode="tozero")
+    for index, letter in enumerate("AB"):
+        own = curves.reaction[:, index]
+        name = text("bearing", letter=letter)
+        chart.locus(name, own.imag, own.real, index, legendgroup=letter)
+        more: Figure = {"axis": "y2", "legendgroup": letter, "showlegend": False}
+        chart.curve(name, from_si("angle_deg", angles), np.abs(own), index, **more)
+    return chart.figure
 
 
 CALCULATION = Calculation(

@@ -1,6 +1,6 @@
 """Cyclogram: its request and its figure."""
 
-from app.calculations.ideal_forces import CyclogramFields, CyclogramResponse, Range
+from app.calculations.ideal_forces import CyclogramFields, CyclogramResponse
 from app.model import (
     Calculation,
     Values,
@@ -8,7 +8,7 @@ from app.model import (
     timed,
 )
 from app.sources import YANCHEVSKIY_2021, YANCHEVSKY_2018
-from app.theme import IDEAL, INK, Amount, Figure, Theme, axis, hover, layout, series_style, text
+from app.theme import IDEAL, Amount, Chart, Figure, Theme, text
 from app.worked import Steps
 from core.design.sections import MechanismSection
 from core.worked.mechanism import cyclogram_steps
@@ -34,173 +34,116 @@ def cyclogram_figure(answer: Values, theme: Theme, real: Values | None = None) -
     end = answer["driving_count"][-1]["to_deg"]
     satellites = max(pair["satellite"] for pair in answer["pairs"])
     if real is None:
-        pairs, count, counted, ideal = answer["pairs"], answer["driving_count"], "driving", []
+        pairs, count, counted = answer["pairs"], answer["driving_count"], "driving"
     else:
         pairs, count, counted = real["pairs"], real["loaded_count"], "loaded"
-        ideal = [_outlines(answer["pairs"], theme), _ideal_count(answer["driving_count"], theme)]
-    most = max(each["pairs"] for each in (*count, *answer["driving_count"]))
-    data = [_bars(pairs, satellite, theme) for satellite in range(1, satellites + 1)]
-    data += [_count(count, f"{counted}_pairs", theme), *ideal]
     rows = [f"{pair['satellite']}.{pair['pin']}" for pair in answer["pairs"]]
-    alert = INK[theme]["alert"]
-    shapes = [
-        {
-            "type": "rect",
-            "xref": "x",
-            "yref": "paper",
-            "x0": start,
-            "x1": stop,
-            "y0": 0,
-            "y1": 1,
-            "fillcolor": alert,
-            "opacity": 0.18,
-            "line": {"width": 0},
-        }
-        for start, stop in answer.get("dead_zones_deg", ())
-    ] + [
-        {
-            "type": "line",
-            "xref": "x",
-            "yref": "paper",
-            "x0": place,
-            "x1": place,
-            "y0": 0,
-            "y1": 1,
-            "line": {"color": alert, "width": 2, "dash": "dot"},
-            "name": text("dead_centre"),
-            "showlegend": index == 0,
-        }
-        for index, place in enumerate(answer["dead_centres_deg"])
-    ]
+    several = satellites > 1 or bool(answer["dead_centres_deg"]) or real is not None
+    look = {"barmode": "overlay", "bargap": 0.3, "showlegend": several}
+    chart = Chart(theme, height=190 + 22 * len(rows), **look)
     turns = end / 360
     steps = {"dtick": 30 if turns <= 1 else 90} if turns <= 3 else {}
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            barmode="overlay",
-            bargap=0.3,
-            showlegend=satellites > 1 or bool(answer["dead_centres_deg"]) or bool(ideal),
-            height=190 + 22 * len(rows),
-            xaxis=axis(theme, text("crank_angle"), "°", range=[0, end], anchor="y2", **steps),
-            yaxis=axis(
-                theme,
-                text("pairs_of"),
-                type="category",
-                categoryorder="array",
-                categoryarray=rows[::-1],
-                tickvals=rows,
-                ticktext=[
-                    text("pair", satellite=pair["satellite"], pin=pair["pin"])
-                    for pair in answer["pairs"]
-                ],
-                domain=[0.3, 1],
-                showgrid=False,
-            ),
-            yaxis2=axis(
-                theme,
-                text(counted),
-                domain=[0, 0.22],
-                rangemode="tozero",
-                dtick=max(1, round(most / 4)),
-                range=[0, most + 0.5],
-            ),
-            shapes=shapes,
-        ),
-    }
+    chart.axis("x", "crank_angle", "°", range=[0, end], anchor="y2", **steps)
+    chart.axis(
+        "y",
+        "pairs_of",
+        type="category",
+        categoryorder="array",
+        categoryarray=rows[::-1],
+        tickvals=rows,
+        ticktext=[
+            text("pair", satellite=pair["satellite"], pin=pair["pin"]) for pair in answer["pairs"]
+        ],
+        domain=[0.3, 1],
+        showgrid=False,
+    )
+    most = max(each["pairs"] for each in (*count, *answer["driving_count"]))
+    counts: Figure = {"domain": [0, 0.22], "rangemode": "tozero", "range": [0, most + 0.5]}
+    chart.axis("y2", counted, dtick=max(1, round(most / 4)), **counts)
+    for satellite in range(1, satellites + 1):
+        _add_phases(chart, pairs, satellite)
+    _add_count(chart, count, f"{counted}_pairs")
+    if real is not None:
+        _add_outlines(chart, answer["pairs"])
+        _add_count(chart, answer["driving_count"], "driving_pairs", ideal=True)
+    for start, stop in answer.get("dead_zones_deg", ()):
+        chart.shaded(start, stop, opacity=0.18, layer="above")
+    dotted = {"color": chart.ink["alert"], "width": 2, "dash": "dot"}
+    named = {"name": text("dead_centre"), "line": dotted, "layer": "above"}
+    for index, place in enumerate(answer["dead_centres_deg"]):
+        chart.shape("line", place, place, showlegend=index == 0, **named)
+    return chart.figure
 
 
-def _phases(pair: Values) -> list[Range]:
-    """Phases in which a pair drives, or carries."""
-    phases: list[Range] = pair["driving_deg" if "driving_deg" in pair else "loaded_deg"]
-    return phases
-
-
-def _bars(pairs: list[Values], satellite: int, theme: Theme) -> Figure:
-    """All phases of one satellite."""
-    colour, _, hatch = series_style(satellite - 1, theme)
+def _add_phases(chart: Chart, pairs: list[Values], satellite: int) -> None:
+    """Add all phases of one satellite in which a pair drives, or carries."""
+    words, field = "pair_drives", "driving_deg"
+    if "loaded_deg" in pairs[0]:
+        words, field = "pair_carries", "loaded_deg"
     phases = [
         (pair["pin"], start, stop)
         for pair in pairs
         if pair["satellite"] == satellite
-        for start, stop in _phases(pair)
+        for start, stop in pair[field]
     ]
-    words = "pair_carries" if "loaded_deg" in pairs[0] else "pair_drives"
-    return {
-        "type": "bar",
-        "orientation": "h",
-        "name": text("satellite", satellite=satellite),
-        "y": [f"{satellite}.{pin}" for pin, _, _ in phases],
-        "base": [round(start, 6) for _, start, _ in phases],
-        "x": [round(stop - start, 6) for _, start, stop in phases],
-        "customdata": [
+    start, end = (Amount(f"%{{customdata[{place}]}}", "°") for place in (2, 3))
+    numbers = {"satellite": "%{customdata[0]}", "pin": "%{customdata[1]}"}
+    chart.bars(
+        text("satellite", satellite=satellite),
+        satellite - 1,
+        text(words, **numbers, start=start, end=end),
+        orientation="h",
+        y=[f"{satellite}.{pin}" for pin, _, _ in phases],
+        base=[round(start, 6) for _, start, _ in phases],
+        x=[round(stop - start, 6) for _, start, stop in phases],
+        customdata=[
             [satellite, pin, round(start, 4), round(stop, 4)] for pin, start, stop in phases
         ],
-        "hovertemplate": hover(
-            text(
-                words,
-                satellite="%{customdata[0]}",
-                pin="%{customdata[1]}",
-                start=Amount("%{customdata[2]}", "°"),
-                end=Amount("%{customdata[3]}", "°"),
-            )
-        ),
-        "marker": {
-            "color": colour,
-            "line": {"color": colour, "width": 1},
-            "pattern": {"shape": hatch, "fillmode": "overlay", "size": 7},
-        },
-    }
+    )
 
 
-def _outlines(pairs: list[Values], theme: Theme) -> Figure:
-    """Ideal phases of all pairs, as thin outlines about the real ones."""
+def _add_outlines(chart: Chart, pairs: list[Values]) -> None:
+    """Add ideal phases of all pairs, as thin outlines about the real ones."""
     phases = [
         (f"{pair['satellite']}.{pair['pin']}", start, stop)
         for pair in pairs
         for start, stop in pair["driving_deg"]
     ]
-    return {
-        "type": "bar",
-        "orientation": "h",
-        "name": text("ideal"),
-        "meta": IDEAL,
-        "y": [row for row, _, _ in phases],
-        "base": [round(start, 6) for _, start, _ in phases],
-        "x": [round(stop - start, 6) for _, start, stop in phases],
-        "width": 0.94,
-        "hoverinfo": "skip",
-        "marker": {
-            "color": "rgba(0, 0, 0, 0)",
-            "line": {"color": INK[theme]["muted"], "width": 1},
-        },
-    }
+    thin = {"color": chart.ink["muted"], "width": 1}
+    chart.trace(
+        "bar",
+        "ideal",
+        orientation="h",
+        meta=IDEAL,
+        y=[row for row, _, _ in phases],
+        base=[round(start, 6) for _, start, _ in phases],
+        x=[round(stop - start, 6) for _, start, stop in phases],
+        width=0.94,
+        hoverinfo="skip",
+        marker={"color": "rgba(0, 0, 0, 0)", "line": thin},
+    )
 
 
-def _ideal_count(intervals: list[Values], theme: Theme) -> Figure:
-    """Ideal number of driving pairs, thin behind the real one."""
-    own = _count(intervals, "driving_pairs", theme)
-    line = own["line"] | {"width": 1, "dash": "dot"}
-    return own | {"name": text("ideal"), "meta": IDEAL, "line": line, "fill": "none"}
-
-
-def _count(intervals: list[Values], words: str, theme: Theme) -> Figure:
-    """Number of pairs as a step line."""
-    return {
-        "type": "scatter",
-        "mode": "lines",
-        "name": text(words),
-        "xaxis": "x",
-        "yaxis": "y2",
-        "showlegend": False,
-        "x": [round(each["from_deg"], 6) for each in intervals]
-        + [round(intervals[-1]["to_deg"], 6)],
-        "y": [each["pairs"] for each in intervals] + [intervals[-1]["pairs"]],
-        "line": {"shape": "hv", "width": 2, "color": INK[theme]["text"]},
-        "fill": "tozeroy",
-        "fillcolor": INK[theme]["grid"],
-        "hovertemplate": hover(text(f"{words}_hover", pairs="%{y}", angle=Amount("%{x:.2f}", "°"))),
-    }
+def _add_count(chart: Chart, intervals: list[Values], words: str, *, ideal: bool = False) -> None:
+    """Add the number of pairs as a step line; the ideal one is thin behind the real one."""
+    more: Figure = {"fill": "tozeroy"}
+    line = {"shape": "hv", "width": 2, "color": chart.ink["text"], "dash": "solid"}
+    if ideal:
+        more, line = {"fill": "none", "meta": IDEAL}, line | {"width": 1, "dash": "dot"}
+    last = intervals[-1]
+    chart.trace(
+        "scatter",
+        "ideal" if ideal else words,
+        text(f"{words}_hover", pairs="%{y}", angle=Amount("%{x:.2f}", "°")),
+        "y2",
+        mode="lines",
+        showlegend=False,
+        x=[round(each["from_deg"], 6) for each in intervals] + [round(last["to_deg"], 6)],
+        y=[each["pairs"] for each in intervals] + [last["pairs"]],
+        line=line,
+        fillcolor=chart.ink["grid"],
+        **more,
+    )
 
 
 def over_one_axis(pattern: Figure, forces: Figure) -> Figure:

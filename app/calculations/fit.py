@@ -26,10 +26,9 @@ from app.model import (
 )
 from app.settings import Settings
 from app.sources import JOHNSON_1985
-from app.theme import INK, Amount, Figure, Text, Theme, axis, curve, layout, marker, text
+from app.theme import Chart, Figure, Theme, text
 from app.units import from_si, to_si
 from app.worked import stated
-from core.arrays import FloatArray
 from core.design.document import Design
 from core.design.results import Results
 from core.errors import Accuracy, InvalidInput, Notice
@@ -91,12 +90,6 @@ class FitRequest(DocumentFields, group="positions"):
         """Results of the design, for any number of pairs within the limit here."""
         return Results(self.design, bounded=False)
 
-    def rooms_to_draw(self) -> Rooms:
-        """Geometry of pins in holes, for the figure; each hole has to hold its pin."""
-        rooms = self.results.rooms
-        rooms.refuse_without_bound()
-        return rooms
-
     def solve_all(self) -> tuple[Values, Accuracy, tuple[Notice, ...]]:
         """Requested values, with their accuracy and notices."""
         fit, members = self.results.fit, self.members
@@ -137,67 +130,6 @@ def room_accuracy(rooms: Rooms) -> Accuracy:
     return Accuracy("arcs_zoomed", error / least if error < least else 1.0, POSITIONS)
 
 
-def fit_figure(rooms: Rooms, theme: Theme) -> Figure:
-    """Room over a turn of the wave, in all and of each satellite, with jammed stretches shaded."""
-    mechanism, room = rooms.mechanism, rooms.room
-    end = mechanism.crank_angle_per_wave
-    blocked = rooms.blocked_crank or ()
-    edges = np.array([each % end for ends in blocked for each in ends])
-    least = [*room.where.values()]
-    angle = np.unique(np.concatenate((np.linspace(0.0, end, DRAWN_ANGLES), edges, least)))
-    wave, shown = mechanism.wave_angle(angle), from_si("angle_deg", angle)
-    value, at = Amount("%{y:.5g}", "mm"), Amount("%{x:.2f}", "°")
-    data = []
-    several = range(mechanism.satellites) if mechanism.satellites > 1 else ()
-    curves: list[tuple[Text, FloatArray, Figure]] = [(text("room"), rooms.rooms(wave)[0], {})]
-    for disc in several:
-        name = text("satellite", satellite=disc + 1)
-        curves.append((name, rooms.rooms(wave, disc)[0], {"width": 1}))
-    for index, (name, heights, line) in enumerate(curves):
-        hovered = text("at_angle", name=name, value=value, angle=at)
-        trace = curve(name, shown, from_si("room_mm", heights), index, theme, hovered)
-        trace["line"] |= line
-        data.append(trace)
-    for place in least:
-        name = text("least_room")
-        hovered = text("at_angle", name=name, value=value, angle=at)
-        where = from_si("angle_deg", place), from_si("room_mm", room.least)
-        data.append(marker(name, *where, theme, hovered))
-    if room.state == "does_not_fit":
-        blocked = ((0.0, end),)
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            height=420,
-            xaxis=axis(theme, text("crank_angle"), "°", range=[0, from_si("angle_deg", end)]),
-            yaxis=axis(theme, text("room"), "mm", rangemode="tozero"),
-            shapes=[
-                _shaded(theme, *from_si("angle_deg", list(ends)))
-                for start, stop in blocked
-                for ends in ([(start, stop)] if stop <= end else [(start, end), (0.0, stop - end)])
-            ],
-        ),
-    }
-
-
-def _shaded(theme: Theme, start: float, stop: float) -> Figure:
-    """A stretch of crank angles, deg, in which the parts jam."""
-    return {
-        "type": "rect",
-        "xref": "x",
-        "yref": "paper",
-        "x0": start,
-        "x1": stop,
-        "y0": 0,
-        "y1": 1,
-        "layer": "below",
-        "line": {"width": 0},
-        "fillcolor": INK[theme]["alert"],
-        "opacity": 0.15,
-    }
-
-
 def solve(body: FitRequest) -> Values:
     """Fit of pins in holes by geometry: freedom to turn, and the room that is left."""
     (values, accuracy, notices), run_time_us = timed(body.solve_all)
@@ -212,7 +144,29 @@ def solve(body: FitRequest) -> Values:
 def figure(body: FitRequest, theme: Theme = "light") -> Figure:
     """Room over the crank angle, its least place, and jammed stretches, for Plotly.js."""
     body.mechanism.refuse_undrawable()
-    return fit_figure(body.rooms_to_draw(), theme)
+    rooms = body.results.rooms
+    rooms.refuse_without_bound()
+    mechanism, room, blocked = rooms.mechanism, rooms.room, rooms.blocked_crank or ()
+    end = mechanism.crank_angle_per_wave
+    edges = np.array([each % end for ends in blocked for each in ends])
+    least = [*room.where.values()]
+    angle = np.unique(np.concatenate((np.linspace(0.0, end, DRAWN_ANGLES), edges, least)))
+    wave, x = mechanism.wave_angle(angle), from_si("angle_deg", angle)
+    chart = Chart(theme, height=420)
+    chart.axis("x", "crank_angle", "°", range=[0, from_si("angle_deg", end)])
+    chart.axis("y", "room", "mm", rangemode="tozero")
+    chart.curve("room", x, from_si("room_mm", rooms.rooms(wave)[0]))
+    for disc in range(mechanism.satellites) if mechanism.satellites > 1 else ():
+        y = from_si("room_mm", rooms.rooms(wave, disc)[0])
+        chart.curve(text("satellite", satellite=disc + 1), x, y, disc + 1, line={"width": 1})
+    for place in least:
+        chart.mark("least_room", from_si("angle_deg", place), from_si("room_mm", room.least))
+    if room.state == "does_not_fit":
+        blocked = ((0.0, end),)
+    for start, stop in blocked:
+        for ends in [(start, stop)] if stop <= end else [(start, end), (0.0, stop - end)]:
+            chart.shaded(*from_si("angle_deg", list(ends)), opacity=0.15)
+    return chart.figure
 
 
 CALCULATION = Calculation(

@@ -1,7 +1,6 @@
 """Hertz contact of pin and hole: request, answer, figure."""
 
 from collections.abc import Collection
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
@@ -37,10 +36,9 @@ from app.model import (
 )
 from app.rules import field_error
 from app.sources import JOHNSON_1985, PERSSON_1964, YANCHEVSKY_2018
-from app.theme import INK, Amount, Figure, Theme, axis, curve, hover, layout, text
+from app.theme import Amount, Chart, Figure, Theme, text
 from app.units import from_si, to_si
 from app.worked import Steps
-from core.arrays import FloatArray
 from core.contact_life import LifeCurve
 from core.design.contact import Contact
 from core.errors import Notice, if_known
@@ -291,14 +289,6 @@ class HertzRequest(
         """Worked steps of the contact."""
         return {"hertz": hertz_steps(found=self.solve(), **self.pressed)}
 
-    def solve_profiles(self) -> list[tuple[str, FloatArray, FloatArray]]:
-        """Pressure distributions: name, places along the arc of the pin, m, pressures, Pa."""
-        contact = self.solve()
-        profiles = [("hertz", *pressure_profile(contact=contact))]
-        if contact.is_conformal:
-            profiles.append(("conformal", *conformal_profile(contact=contact)))
-        return profiles
-
 
 class LifeOut(ResponseModel, of=LimitLife):
     """Fall of the pressure limit over the life: (N_k/N_L)^m, at most Z_m."""
@@ -358,65 +348,6 @@ class HertzResponse(AssumingResponse, of=HertzContact):
         return values
 
 
-@dataclass(frozen=True, slots=True)
-class PressureCurve:
-    """One pressure distribution to draw."""
-
-    name: str  # name of the body, an id of `app.theme.TEXTS`
-    place_mm: FloatArray  # along the arc of the pin
-    pressure_MPa: FloatArray  # there
-
-
-def hertz_figure(curves: list[PressureCurve], limits_MPa: dict[str, float], theme: Theme) -> Figure:
-    """Pressure distributions over the arc of the pin, with the limits of the two bodies.
-
-    `curves` are Hertz's and, if it applies, the conformal one; `limits_MPa` has known limits by
-    body.
-    """
-    data = [
-        curve(
-            text(each.name),
-            each.place_mm,
-            each.pressure_MPa,
-            index,
-            theme,
-            text(
-                "pressure_hover",
-                name=text(each.name),
-                pressure=Amount("%{y:.5g}", "MPa"),
-                place=Amount("%{x:.4g}", "mm"),
-            ),
-        )
-        for index, each in enumerate(curves)
-    ]
-    highest = max(float(each.pressure_MPa.max()) for each in curves)
-    widest = max(float(each.place_mm[-1]) for each in curves)
-    data += [
-        {
-            "type": "scatter",
-            "mode": "lines",
-            "name": text("body_limit", body=text(body)),
-            "x": [-widest, widest],
-            "y": [limit] * 2,
-            "line": {"color": INK[theme]["alert"], "dash": dash, "width": 1.5},
-            "hovertemplate": hover(
-                text("body_limit_hover", body=text(body), pressure=Amount("%{y:.5g}", "MPa"))
-            ),
-        }
-        for (body, limit), dash in zip(limits_MPa.items(), ("longdash", "dot"), strict=False)
-        if limit <= 4 * highest
-    ]
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            height=300,
-            xaxis=axis(theme, text("along_arc"), "mm"),
-            yaxis=axis(theme, text("contact_pressure"), "MPa", rangemode="tozero"),
-        ),
-    }
-
-
 def solve(body: HertzRequest) -> Values:
     """Hertz stress of pin and hole, its validity, and the conformal pressure if it applies."""
     answer = HertzResponse.values(*timed(body.solve))
@@ -428,15 +359,25 @@ def solve(body: HertzRequest) -> Values:
 
 def figure(body: HertzRequest, theme: Theme = "light") -> Figure:
     """Pressure across the contact as a Plotly figure, ready for Plotly.js."""
-    profiles = body.solve_profiles()
-    return hertz_figure(
-        [
-            PressureCurve(name, from_si("place_mm", place), from_si("pressure_MPa", pressure))
-            for name, place, pressure in profiles
-        ],
-        {name: from_si("pressure_MPa", pressure) for name, pressure in body.limits()},
-        theme,
-    )
+    contact, chart = body.solve(), Chart(theme, height=300)
+    chart.axis("x", "along_arc", "mm")
+    chart.axis("y", "contact_pressure", "MPa", rangemode="tozero")
+    profiles = {"hertz": pressure_profile(contact=contact)}
+    if contact.is_conformal:
+        profiles["conformal"] = conformal_profile(contact=contact)
+    shown = {"pressure": Amount("%{y:.5g}", "MPa"), "place": Amount("%{x:.4g}", "mm")}
+    for index, (name, (places, pressures)) in enumerate(profiles.items()):
+        x, y = from_si("place_mm", places), from_si("pressure_MPa", pressures)
+        chart.curve(name, x, y, index, text("pressure_hover", name=text(name), **shown))
+    highest = max(float(pressures.max()) for _, pressures in profiles.values())
+    widest = from_si("place_mm", max(float(places[-1]) for places, _ in profiles.values()))
+    for (name, limit), dash in zip(body.limits(), ("longdash", "dot"), strict=False):
+        if limit <= 4 * highest:
+            words, of = {"body": text(name)}, [from_si("limit_MPa", limit)] * 2
+            hovered = text("body_limit_hover", pressure=shown["pressure"], **words)
+            line = {"color": chart.ink["alert"], "dash": dash, "width": 1.5}
+            chart.curve(text("body_limit", **words), [-widest, widest], of, 0, hovered, line=line)
+    return chart.figure
 
 
 CALCULATION = Calculation(

@@ -1,7 +1,5 @@
 """Load of the precessional mesh: request, answer, figure."""
 
-from collections.abc import Sequence
-
 import numpy as np
 from pydantic import field_validator
 
@@ -17,10 +15,9 @@ from app.model import (
     timed,
 )
 from app.sources import KHATETOVSKY_2020
-from app.theme import Amount, Figure, Theme, axis, curve, layout, text
+from app.theme import Amount, Chart, Figure, Theme, text
 from app.units import from_si, to_si
 from app.worked import Steps
-from core.arrays import FloatArray
 from core.errors import InvalidInput
 from core.precession.meshing_load import MeshingLoad, line_load, meshing_load
 from core.worked.precession import load_steps
@@ -55,15 +52,6 @@ class MeshFields(GearFields, group="load"):
         except InvalidInput as error:
             raise self.about_the_wheel(error) from error
 
-    def solve_curves(self) -> list[tuple[float, FloatArray, FloatArray]]:
-        """Line load of every roller: position angle, rad, places z, m, load there, N/m."""
-        load = self.solve_load()
-        curves = []
-        for line in load.lines:
-            z = np.linspace(line.z_min, line.z_max, 61)
-            curves.append((line.position_angle, z, line_load(load=load, line=line, z=z)))
-        return curves
-
 
 class MeshingLoadRequest(MeshFields, WorkedFields):
     """Mesh and its torque, with optional worked steps."""
@@ -79,40 +67,6 @@ class MeshingLoadResponse(WorkedResponse, of=MeshingLoad):
     """Resultants of the mesh, moment about the point C."""
 
 
-def meshing_load_figure(
-    curves: Sequence[tuple[float, FloatArray, FloatArray]], theme: Theme
-) -> Figure:
-    """Line load of every roller along the axis; `curves` as in `MeshFields.solve_curves`."""
-    data = []
-    for index, (angle, z, load) in enumerate(curves):
-        name = text("roller_angle", angle=Amount(from_si("angle_deg", angle), "°"))
-        data.append(
-            curve(
-                name,
-                from_si("z_mm", z),
-                from_si("load_N_per_mm", load),
-                index,
-                theme,
-                text(
-                    "line_load_hover",
-                    name=name,
-                    load=Amount("%{y:.4g}", "N/mm"),
-                    place=Amount("%{x:.4g}", "mm"),
-                ),
-                showlegend=len(curves) <= MOST_NAMED,
-            )
-        )
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            height=340,
-            xaxis=axis(theme, text("along_axis"), "mm"),
-            yaxis=axis(theme, text("line_load"), "N/mm", rangemode="tozero"),
-        ),
-    }
-
-
 def solve(body: MeshingLoadRequest) -> Values:
     """Line load, force and moment of the mesh."""
     return MeshingLoadResponse.values(*timed(body.solve_load))
@@ -120,8 +74,22 @@ def solve(body: MeshingLoadRequest) -> Values:
 
 def figure(body: MeshingLoadRequest, theme: Theme = "light") -> Figure:
     """Line load along every contact line."""
-    curves = body.solve_curves()
-    return meshing_load_figure(curves, theme)
+    load, chart = body.solve_load(), Chart(theme, height=340)
+    chart.axis("x", "along_axis", "mm")
+    chart.axis("y", "line_load", "N/mm", rangemode="tozero")
+    shown = {"load": Amount("%{y:.4g}", "N/mm"), "place": Amount("%{x:.4g}", "mm")}
+    for index, line in enumerate(load.lines):
+        z = np.linspace(line.z_min, line.z_max, 61)
+        name = text("roller_angle", angle=Amount(from_si("angle_deg", line.position_angle), "°"))
+        chart.curve(
+            name,
+            from_si("z_mm", z),
+            from_si("load_N_per_mm", line_load(load=load, line=line, z=z)),
+            index,
+            text("line_load_hover", name=name, **shown),
+            showlegend=len(load.lines) <= MOST_NAMED,
+        )
+    return chart.figure
 
 
 CALCULATION = Calculation(

@@ -25,17 +25,7 @@ from app.model import (
     timed,
 )
 from app.sources import ARCHARD_1953, WANG_2016, YANCHEVSKIY_2021
-from app.theme import (
-    Amount,
-    Figure,
-    Theme,
-    axis,
-    curve,
-    layout,
-    note,
-    text,
-    vertical_line,
-)
+from app.theme import Amount, Chart, Figure, Theme, text
 from app.units import from_si
 from app.worked import Steps
 from core.arrays import FloatArray
@@ -80,12 +70,6 @@ class OutputEfficiencyRequest(CurveFields, StrengthFields):
         """Loss and efficiency at crank angles, rad."""
         return design_losses(results=self.results, losses=losses, crank_angle=crank_angle)
 
-    def solve_for_drawing(self) -> tuple[PinLosses, LossCurves, FloatArray]:
-        """Losses, curves for drawing, and the switching angles, rad."""
-        angles, switching = self.drawn_angles()
-        losses = self.solve()
-        return losses, self.curves(losses, angles), switching
-
 
 class LossCurvesOut(ResponseModel, of=LossCurves):
     """Loss and efficiency over one turn of the crank."""
@@ -110,59 +94,6 @@ class OutputEfficiencyResponse(DocumentResponse, of=PinLosses):
         return super().values(losses, run_time_us, curves=drawn, **given)
 
 
-CLEAR = (0, 1)
-"""Places of the values of the means in each plot's height, clear of the curves: the loss never
-comes near 0, and the efficiency fills its plot."""
-
-
-def loss_figure(
-    losses: PinLosses, curves: LossCurves, switching_deg: FloatArray, theme: Theme
-) -> Figure:
-    """Loss over the turn above, efficiency below, each with its mean and switching angles
-    (degrees).
-    """
-    angles = from_si("crank_angle_deg", curves.crank_angle)
-    end = float(angles[-1])
-    angle = Amount("%{x:.2f}", "°")
-    rows = (
-        ("loss", "y", curves.loss, losses.mean_loss, "W"),
-        ("efficiency", "y2", curves.efficiency, losses.efficiency, ""),
-    )
-    data = []
-    for index, (name, own, values, mean, unit) in enumerate(rows):
-        shown = Amount("%{y:.5g}", unit)
-        hovered = text("at_angle", name=text(name), value=shown, angle=angle)
-        data.append(curve(text(name), angles, values, 0, theme, hovered, colour=index, yaxis=own))
-        average = text("mean_of", name=text(name))
-        hovered = text("mean_hover", name=average, value=shown)
-        across = curve(average, [0.0, end], [mean] * 2, 1, theme, hovered, colour=index, yaxis=own)
-        data.append(across)
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            height=420,
-            xaxis=axis(theme, text("crank_angle"), "°", range=[0, end], anchor="y2"),
-            yaxis=axis(theme, text("loss"), "W", domain=[0.44, 1], rangemode="tozero"),
-            yaxis2=axis(theme, text("efficiency"), domain=[0, 0.34]),
-            shapes=[vertical_line(theme, place) for place in switching_deg.round(4).tolist()],
-            annotations=[
-                note(
-                    theme,
-                    text("mean_value", value=Amount(float(mean), unit, 5)),
-                    x=end,
-                    y=clear,
-                    xref="x",
-                    yref=f"{own} domain",
-                    xanchor="right",
-                    yanchor="bottom",
-                )
-                for (_, own, _, mean, unit), clear in zip(rows, CLEAR, strict=True)
-            ],
-        ),
-    }
-
-
 def turn(samples: int) -> FloatArray:
     """Crank angles of a turn, evenly spaced, both ends included, rad."""
     return np.linspace(0.0, 2 * math.pi, samples)
@@ -176,8 +107,31 @@ def solve(body: OutputEfficiencyRequest) -> Values:
 def figure(body: OutputEfficiencyRequest, theme: Theme = "light") -> Figure:
     """Loss and efficiency over the turn as a Plotly figure, ready for Plotly.js."""
     body.mechanism.refuse_undrawable()
-    losses, curves, switching = body.solve_for_drawing()
-    return loss_figure(losses, curves, from_si("switching_deg", switching), theme)
+    turn, switching = body.drawn_angles()
+    losses = body.solve()
+    curves = body.curves(losses, turn)
+    angles = from_si("angle_deg", turn)
+    end, chart = float(angles[-1]), Chart(theme, height=420)
+    chart.axis("x", "crank_angle", "°", range=[0, end], anchor="y2")
+    chart.axis("y", "loss", "W", domain=[0.44, 1], rangemode="tozero")
+    chart.axis("y2", "efficiency", domain=[0, 0.34])
+    # Values of the means are clear of the curves: the loss never comes near 0, and the efficiency
+    # fills its plot.
+    for colour, (axis, name, values, mean, unit, clear) in enumerate(
+        (
+            ("y", "loss", curves.loss, losses.mean_loss, "W", 0),
+            ("y2", "efficiency", curves.efficiency, losses.efficiency, "", 1),
+        )
+    ):
+        chart.curve(name, angles, values, axis=axis, colour=colour)
+        average = text("mean_of", name=text(name))
+        hovered = text("mean_hover", name=average, value=Amount("%{y:.5g}", unit))
+        chart.curve(average, [0.0, end], [mean] * 2, 1, hovered, axis=axis, colour=colour)
+        words = text("mean_value", value=Amount(float(mean), unit, 5))
+        place = {"x": end, "y": clear, "xref": "x", "yref": f"{axis} domain"}
+        chart.note(words, **place, xanchor="right", yanchor="bottom")
+    chart.verticals(from_si("switching_deg", switching).round(4).tolist())
+    return chart.figure
 
 
 CALCULATION = Calculation(

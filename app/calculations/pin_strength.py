@@ -28,7 +28,7 @@ from app.model import (
 )
 from app.rules import Rule, field_error
 from app.sources import SHIGLEY, YANCHEVSKIY_2021
-from app.theme import Amount, Figure, Theme, axis, curve, layout, text
+from app.theme import Amount, Chart, Figure, Theme, text
 from app.units import from_si
 from app.worked import Steps
 from core.design.document import changed
@@ -156,49 +156,6 @@ class PinStrengthResponse(PinStrengthOut, DocumentResponse):
     )
 
 
-def strength_figure(found: PinStrength, theme: Theme) -> Figure:
-    """Locus of the moment with the worst direction, and the stress over the turn."""
-    locus = found.locus
-    assert locus is not None
-    angles = from_si("crank_angle_deg", locus.crank_angle)
-    stress = from_si("stress_MPa", locus.stress)
-    hovered = text(
-        "locus_hover",
-        name=text("moment_locus"),
-        along=Amount("%{x:.5g}", "N·m"),
-        across=Amount("%{y:.5g}", "N·m"),
-    )
-    data = [curve(text("moment_locus"), locus.tangential, locus.radial, 0, theme, hovered)]
-    largest = float(np.hypot(locus.tangential, locus.radial).max())
-    if (chi := if_known(lambda: found.fatigue.direction)) is not None:
-        ends = np.array([-largest, largest])
-        worst = text("worst_direction")
-        hovered = text("mean_hover", name=worst, value=Amount(math.degrees(chi), "°", 5))
-        data.append(
-            curve(worst, ends * math.cos(chi), ends * math.sin(chi), 1, theme, hovered, colour=1)
-        )
-    hovered = text(
-        "at_angle",
-        name=text("bending_stress"),
-        value=Amount("%{y:.5g}", "MPa"),
-        angle=Amount("%{x:.2f}", "°"),
-    )
-    data.append(
-        curve(text("bending_stress"), angles, stress, 2, theme, hovered, xaxis="x2", yaxis="y2")
-    )
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            height=420,
-            xaxis=axis(theme, text("moment_tangential"), "N·m", domain=[0, 0.42]),
-            yaxis=axis(theme, text("moment_radial"), "N·m", scaleanchor="x"),
-            xaxis2=axis(theme, text("crank_angle"), "°", domain=[0.58, 1], anchor="y2"),
-            yaxis2=axis(theme, text("bending_stress"), "MPa", anchor="x2"),
-        ),
-    }
-
-
 def solve(body: PinStrengthRequest) -> Values:
     """Strength of the pins: bending, shear, static safety, fatigue by the true stress cycle."""
     strength = timed(body.solve)
@@ -211,7 +168,20 @@ def figure(body: PinStrengthRequest, theme: Theme = "light") -> Figure:
     """Locus of the moment and stress over the turn as a Plotly figure, ready for Plotly.js."""
     body.mechanism.refuse_undrawable()
     found = body.solve(locus=True)
-    return strength_figure(found, theme)
+    locus = found.locus
+    assert locus is not None
+    chart = Chart(theme, height=420)
+    plane = ("moment_tangential", "moment_radial", "N·m")
+    chart.locus_and_turn(*plane, "bending_stress", "MPa")
+    chart.locus("moment_locus", locus.tangential, locus.radial)
+    largest = float(np.hypot(locus.tangential, locus.radial).max())
+    if (chi := if_known(lambda: found.fatigue.direction)) is not None:
+        ends, worst = np.array([-largest, largest]), text("worst_direction")
+        hovered = text("mean_hover", name=worst, value=Amount(math.degrees(chi), "°", 5))
+        chart.curve(worst, ends * math.cos(chi), ends * math.sin(chi), 1, hovered)
+    angles, stress = from_si("angle_deg", locus.crank_angle), from_si("stress_MPa", locus.stress)
+    chart.curve("bending_stress", angles, stress, 2, axis="y2")
+    return chart.figure
 
 
 CALCULATION = Calculation(

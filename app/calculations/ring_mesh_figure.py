@@ -6,7 +6,7 @@ from typing import Self
 
 import numpy as np
 
-from app.theme import INK, Amount, Figure, Theme, axis, curve, layout, marker, text
+from app.theme import Amount, Chart, Figure, Theme, text
 from app.units import from_si
 from core.arrays import FloatArray
 from core.output.mechanism import Members
@@ -103,115 +103,77 @@ def ring_mesh_figure(shown: ShownMesh, theme: Theme) -> Figure:
     largest force and lag over a turn of the crank, in series the lag of each disc; first disc on
     its pins.
     """
-    angle = Amount(float(from_si("angle_deg", shown.at)), "°", 4)
+    below = 0.4 if shown.outlines else 0.0
+    force_at, gap_at, peak_at, lag_at = (
+        [below + (1 - below) * end for end in panel] for panel in PANELS
+    )
     pins = np.arange(1, shown.mesh.disc.pins + 1).tolist()
-    data = []
-    for words, rows, unit, place, look in (
+    angles = from_si("angle_deg", shown.crank_angle)
+    chart = Chart(theme, height=1180 if shown.outlines else 760)
+    title = text("ring_pin", angle=Amount(float(from_si("angle_deg", shown.at)), "°", 4))
+    chart.axis("x", title, anchor="y2", range=[0.5, len(pins) + 0.5])
+    turn = [float(angles[0]), float(angles[-1])]
+    chart.axis("x2", "crank_angle", "°", range=turn, anchor="y4")
+    chart.axis("y", "contact_force", "N", domain=force_at, rangemode="tozero")
+    chart.axis("y2", "gap", "µm", domain=gap_at, rangemode="tozero")
+    chart.axis("y3", "peak_force", "N", domain=peak_at, anchor="x2", rangemode="tozero")
+    chart.axis("y4", "lag", "′", domain=lag_at, anchor="x2")
+    marked = {"mode": "lines+markers"}
+    for words, rows, unit, axis, look in (
         ("ideal_ring_pin", shown.ideal, "N", "y", {"showlegend": False, "opacity": 0.4}),
-        ("ring_pin_force", shown.force, "N", "y", {"mode": "lines+markers"}),
-        ("ring_pin_gap", shown.gap, "µm", "y2", {"mode": "lines+markers", "showlegend": False}),
+        ("ring_pin_force", shown.force, "N", "y", marked),
+        ("ring_pin_gap", shown.gap, "µm", "y2", marked | {"showlegend": False}),
     ):
         for j, row in enumerate(rows):
             hovered = text(words, satellite=j + 1, pin="%{x}", value=Amount("%{y:.5g}", unit))
             values = np.array(row) * (1e6 if unit == "µm" else 1.0)
             name = text("satellite", satellite=j + 1)
-            data.append(
-                curve(name, pins, values, j, theme, hovered, colour=j, **look) | {"yaxis": place}
-            )
-    at = Amount("%{x:.2f}", "°")
-    angles = from_si("angle_deg", shown.crank_angle)
-    own = {"xaxis": "x2", "showlegend": False}
-    name = text("peak_force")
-    hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "N"), angle=at)
-    data.append(
-        curve(name, angles, shown.largest, 0, theme, hovered, colour=0) | own | {"yaxis": "y3"}
-    )
-    name = text("peak")
-    hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "N"), angle=at)
+            chart.curve(name, pins, values, j, hovered, axis=axis, **look)
+    own: Figure = {"showlegend": False}
+    chart.curve("peak_force", angles, shown.largest, axis="y3", **own)
     for peak_angle, most in shown.peaks:
-        there = float(from_si("angle_deg", peak_angle))
-        data.append(marker(name, there, most, theme, hovered) | own | {"yaxis": "y3"})
+        chart.mark("peak", float(from_si("angle_deg", peak_angle)), most, axis="y3", **own)
     lags = [(text("lag"), shown.lag, 1)]
     for j, row in enumerate(shown.own_lag):
         lags.append((text("satellite_lag", satellite=j + 1), row, j))
     for index, (name, lag, colour) in enumerate(lags):
-        hovered = text("at_angle", name=name, value=Amount("%{y:.5g}", "′"), angle=at)
         row = from_si("lag_arcmin", lag)
-        drawn = curve(name, angles, row, index, theme, hovered, colour=colour)
-        data.append(drawn | own | {"yaxis": "y4"})
-    force_at, gap_at, peak_at, lag_at = PANELS
-    more: Figure = {"height": 760}
-    below = 0.0
+        chart.curve(name, angles, row, index, axis="y4", colour=colour, **own)
     for outline in shown.outlines:
-        data += _drawing(shown, *outline, theme)
-        below = 0.4
-        more = {
-            "height": 1180,
-            "shapes": _pins(shown, theme),
-            "xaxis3": axis(theme, "x", "mm", anchor="y5", constrain="domain"),
-            "yaxis5": axis(
-                theme, "y", "mm", domain=[0, 0.33], anchor="x3", scaleanchor="x3",
-                constrain="domain",
-            ),
-        }  # fmt: skip
-
-    def domain(panel: tuple[float, float]) -> list[float]:
-        return [below + (1 - below) * end for end in panel]
-
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            xaxis=axis(
-                theme, text("ring_pin", angle=angle), anchor="y2", range=[0.5, len(pins) + 0.5]
-            ),
-            xaxis2=axis(
-                theme, text("crank_angle"), "°", range=[float(angles[0]), float(angles[-1])],
-                anchor="y4",
-            ),
-            yaxis=axis(
-                theme, text("contact_force"), "N", domain=domain(force_at), rangemode="tozero"
-            ),
-            yaxis2=axis(theme, text("gap"), "µm", domain=domain(gap_at), rangemode="tozero"),
-            yaxis3=axis(
-                theme, text("peak_force"), "N", domain=domain(peak_at), anchor="x2",
-                rangemode="tozero",
-            ),
-            yaxis4=axis(theme, text("lag"), "′", domain=domain(lag_at), anchor="x2"),
-            **more,
-        ),
-    }  # fmt: skip
+        _draw(chart, shown, *outline)
+    return chart.figure
 
 
-def _drawing(shown: ShownMesh, lag: float, points: FloatArray, theme: Theme) -> list[Figure]:
-    """First disc: outline and pitch point."""
+def _draw(chart: Chart, shown: ShownMesh, lag: float, points: FloatArray) -> None:
+    """Draw the outline of the first disc, its pitch point, and the ring pins, with those that carry
+    it in the colour of alerts.
+    """
     mesh, phi = shown.mesh, shown.at + shown.mesh.crank_angles[0]
-    disc, own = mesh.disc, {"xaxis": "x3", "yaxis": "y5", "showlegend": False}
+    disc = mesh.disc
+    own: Figure = {"axis": "y5", "showlegend": False}
+    equal: Figure = {"scaleanchor": "x3", "constrain": "domain", "anchor": "x3"}
+    chart.axis("x3", "x", "mm", anchor="y5", constrain="domain")
+    chart.axis("y5", "y", "mm", domain=[0, 0.33], **equal)
     crank = 1j * disc.eccentricity * np.exp(-1j * phi)
     turned = np.exp(1j * (phi / disc.satellite_teeth - lag))
     outline = points @ np.array([1, 1j]) * turned + crank
     closed = np.append(outline, outline[:1])
     x, y = from_si("points_mm", closed.real), from_si("points_mm", closed.imag)
-    name = text("satellite", satellite=1)
-    line = {"color": INK[theme]["text"], "width": 1, "simplify": False}
-    drawn = [curve(name, x, y, 0, theme, name) | own | {"line": line}]
-    pitch = crank * disc.pins
-    name = text("pitch_point")
-    x, y = ([float(from_si("point_mm", part))] for part in (pitch.real, pitch.imag))
-    return [*drawn, curve(name, x, y, 0, theme, name) | own | {"mode": "markers"}]
-
-
-def _pins(shown: ShownMesh, theme: Theme) -> list[Figure]:
-    """Ring pins, with those that carry the first disc in the colour of alerts."""
-    disc, found = shown.mesh.disc, []
-    radius = float(from_si("radius_mm", disc.ring_pin_radius))
+    name, line = text("satellite", satellite=1), {"color": chart.ink["text"], "width": 1}
+    chart.curve(name, x, y, 0, name, line=line, **own)
+    pitch, name = crank * disc.pins, text("pitch_point")
+    x, y = ([from_si("point_mm", part)] for part in (pitch.real, pitch.imag))
+    chart.curve(name, x, y, 0, name, mode="markers", **own)
+    circle, radius = disc.ring_pin_circle_radius, from_si("radius_mm", disc.ring_pin_radius)
     for k, force in enumerate(shown.force[0]):
-        centre = disc.ring_pin_circle_radius * 1j * np.exp(2j * math.pi * k / disc.pins)
-        x, y = (float(from_si("point_mm", part)) for part in (centre.real, centre.imag))
-        ends = {"x0": x - radius, "x1": x + radius, "y0": y - radius, "y1": y + radius}
-        line = {"color": INK[theme]["alert" if force > 0 else "muted"], "width": 1}
-        found.append({"type": "circle", "xref": "x3", "yref": "y5", "line": line} | ends)
-    return found
+        angle, ink = 2 * math.pi * k / disc.pins, "alert" if force > 0 else "muted"
+        across, upward = (
+            from_si("point_mm", part)
+            for part in (-circle * math.sin(angle), circle * math.cos(angle))
+        )
+        look = {"line": {"color": chart.ink[ink], "width": 1}, "layer": "above"}
+        place = {"xref": "x3", "yref": "y5", "y0": upward - radius, "y1": upward + radius}
+        chart.shape("circle", across - radius, across + radius, **place, **look)
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,27 +192,16 @@ class DrawnPath:
 
 def path_figure(shown: DrawnPath, theme: Theme) -> Figure:
     """Pressure of one pair of involute teeth along the path of contact, up to the pitch point."""
-    data, place = [], Amount("%{x:.4g}", "mm")
+    chart = Chart(theme)
+    chart.axis("x", "along_line", "mm")
+    chart.axis("y", "contact_pressure", "MPa", rangemode="tozero")
     for code, places, pressures, index in (
         ("line_of_action", shown.line, shown.line_pressure, 1),
         ("path_of_contact", shown.path, shown.path_pressure, 0),
     ):
-        name = text(code)
-        hovered = text("at_place", name=name, value=Amount("%{y:.5g}", "MPa"), place=place)
         x, y = from_si("places_mm", places), from_si("pressures_MPa", pressures)
-        data.append(curve(name, x, y, index, theme, hovered))
+        chart.curve(code, x, y, index)
     for (code, at), pressure in zip(shown.points.items(), shown.point_pressure, strict=True):
-        name = text(code)
-        hovered = text("at_place", name=name, value=Amount("%{y:.5g}", "MPa"), place=place)
         x, y = float(from_si("place_mm", at)), float(from_si("pressure_MPa", pressure))
-        placed = marker(name, x, y, theme, hovered)
-        placed["marker"]["symbol"] = SYMBOLS[code]
-        data.append(placed)
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            xaxis=axis(theme, text("along_line"), "mm"),
-            yaxis=axis(theme, text("contact_pressure"), "MPa", rangemode="tozero"),
-        ),
-    }
+        chart.mark(code, x, y, symbol=SYMBOLS[code])
+    return chart.figure

@@ -29,19 +29,7 @@ from app.model import (
 )
 from app.rules import Forms, field_error
 from app.sources import OVSYANNIKOV_2019, SHIGLEY
-from app.theme import (
-    Amount,
-    Figure,
-    Theme,
-    axis,
-    curve,
-    drawn,
-    layout,
-    marker,
-    note,
-    text,
-    vertical_line,
-)
+from app.theme import LEGEND, Amount, Chart, Figure, Theme, drawn, text
 from app.units import from_si, to_si
 from app.worked import Steps
 from core.checks.check import Verdict
@@ -50,7 +38,7 @@ from core.errors import Notice, NotKnown
 from core.fatigue import CycleFatigue
 from core.fixes.plain import plain_fixes
 from core.materials import like_steel
-from core.rollers.roller_curves import RollerCurves, roller_curves
+from core.rollers.roller_curves import roller_curves
 from core.rollers.roller_strength import (
     RollerStrength,
     roller_arguments,
@@ -255,164 +243,12 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
             judged["fixes"] = [fix_values(each, self) for each in fixes]
         return judged
 
-    def solve_curves(self) -> RollerCurves:
-        """Curves of stiffness, non-uniformity and stress through this design."""
-        return roller_curves(**self.design)
-
 
 class RollerStrengthResponse(JudgedResponse, of=RollerStrength):
     """Stiffness, load sharing and stress of the rollers."""
 
     loaded_rollers: int
     fatigue: Maybe[CycleOut] = None
-
-
-def roller_figure(
-    curves: RollerCurves, diameter: float, youngs_modulus: float, theme: Theme
-) -> Figure:
-    """Three panels of curves, with this design marked; d, m, and E, Pa, are of the source's
-    figures.
-    """
-    design = curves.design
-    lengths, errors = curves.length_ratio, curves.position_error
-    stress = from_si("bending_stress_MPa", design.bending_stress)
-    data = [
-        curve(
-            text("stiffness"),
-            lengths,
-            curves.relative_stiffness,
-            0,
-            theme,
-            text("stiffness_hover", stiffness=Amount("%{y:.4g}"), length=Amount("%{x:.3g}")),
-            showlegend=False,
-        ),
-        marker(
-            text("design"),
-            design.shape.length,
-            design.relative_stiffness,
-            theme,
-            text("design_stiffness", stiffness=Amount("%{y:.5g}")),
-        ),
-    ]
-    data += [
-        curve(
-            f"n = {rollers}",
-            errors,
-            values,
-            index,
-            theme,
-            text(
-                "nonuniformity_hover",
-                rollers=rollers,
-                nonuniformity=Amount("%{y:.4g}"),
-                error=Amount("%{x:.4g}"),
-            ),
-            xaxis="x2",
-            yaxis="y2",
-        )
-        for index, (rollers, values) in enumerate(curves.nonuniformity.items())
-    ]
-    data.append(
-        marker(
-            text("design"),
-            design.relative_position_error,
-            design.load_nonuniformity,
-            theme,
-            text(
-                "design_nonuniformity",
-                nonuniformity=Amount("%{y:.5g}"),
-                error=Amount("%{x:.4g}"),
-            ),
-            xaxis="x2",
-            yaxis="y2",
-            showlegend=False,
-        )
-    )
-    for index, (each, values) in enumerate(curves.stress.items()):
-        name = (
-            text("gaps_times", factor=Amount(each))
-            if curves.scales_gaps
-            else text(
-                "tolerance",
-                tolerance=Amount(from_si("tolerance_mm", each), "mm", 3),
-                ratio=Amount(each / diameter, "", 3),
-            )
-        )
-        data.append(
-            curve(
-                name,
-                lengths,
-                from_si("stress_MPa", values),
-                index,
-                theme,
-                text(
-                    "stress_hover",
-                    name=name,
-                    stress=Amount("%{y:.4g}", "MPa"),
-                    ratio=Amount("%{customdata:.4g}"),
-                    length=Amount("%{x:.3g}"),
-                ),
-                customdata=drawn(values / youngs_modulus),
-                xaxis="x3",
-                yaxis="y3",
-                legend="legend2",
-            )
-        )
-    data.append(
-        marker(
-            text("design"),
-            design.shape.length,
-            stress,
-            theme,
-            text(
-                "design_stress",
-                stress=Amount("%{y:.5g}", "MPa"),
-                ratio=Amount(design.bending_stress / youngs_modulus, "", 5),
-            ),
-            xaxis="x3",
-            yaxis="y3",
-            showlegend=False,
-        )
-    )
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            height=920,
-            xaxis=axis(theme, text("length_ratio"), anchor="y"),
-            yaxis=axis(theme, text("stiffness_ratio"), domain=[0.79, 1], type="log"),
-            xaxis2=axis(
-                theme,
-                text("position_error"),
-                anchor="y2",
-                range=[0, curves.position_error[-1]],
-                zeroline=False,
-            ),
-            yaxis2=axis(theme, text("nonuniformity"), domain=[0.4, 0.61], rangemode="tozero"),
-            xaxis3=axis(theme, text("length_ratio"), anchor="y3"),
-            yaxis3=axis(theme, text("bending_stress"), "MPa", domain=[0, 0.22], rangemode="tozero"),
-            shapes=[
-                vertical_line(
-                    theme, curves.limit, ink="muted", xref="x2", yref="y2 domain", layer="above"
-                ),
-            ],
-            annotations=[
-                note(
-                    theme,
-                    text("one_carries"),
-                    x=curves.limit,
-                    y=1,
-                    xref="x2",
-                    yref="y2 domain",
-                    xanchor="left",
-                    yanchor="top",
-                    xshift=4,
-                )
-            ],
-            legend={"orientation": "h", "y": 0.62, "yanchor": "bottom", "x": 0},
-            legend2={"orientation": "h", "y": 0.23, "yanchor": "bottom", "x": 0},
-        ),
-    }
 
 
 def solve(body: RollerStrengthRequest) -> Values:
@@ -430,8 +266,55 @@ def solve(body: RollerStrengthRequest) -> Values:
 
 def figure(body: RollerStrengthRequest, theme: Theme = "light") -> Figure:
     """Stiffness, non-uniformity and stress as curves through this design."""
-    curves = body.solve_curves()
-    return roller_figure(curves, body.design["diameter"], body.design["youngs_modulus"], theme)
+    curves = roller_curves(**body.design)
+    design, limit = curves.design, curves.limit
+    lengths, errors = curves.length_ratio, curves.position_error
+    legend, chart = LEGEND | {"y": 0.62}, Chart(theme, height=920)
+    chart.layout |= {"legend": legend, "legend2": legend | {"y": 0.23}}
+    chart.axis("x", "length_ratio", anchor="y")
+    chart.axis("y", "stiffness_ratio", domain=[0.79, 1], type="log")
+    chart.axis("x2", "position_error", anchor="y2", range=[0, errors[-1]], zeroline=False)
+    chart.axis("y2", "nonuniformity", domain=[0.4, 0.61], rangemode="tozero", anchor="x2")
+    chart.axis("x3", "length_ratio", anchor="y3")
+    stressed = {"domain": [0, 0.22], "rangemode": "tozero", "anchor": "x3"}
+    chart.axis("y3", "bending_stress", "MPa", **stressed)
+
+    length, stiffness = Amount("%{x:.3g}"), Amount("%{y:.4g}")
+    hovered = text("stiffness_hover", stiffness=stiffness, length=length)
+    chart.curve("stiffness", lengths, curves.relative_stiffness, 0, hovered, showlegend=False)
+    hovered = text("design_stiffness", stiffness=Amount("%{y:.5g}"))
+    chart.mark("design", design.shape.length, design.relative_stiffness, hovered)
+
+    error = Amount("%{x:.4g}")
+    for index, (rollers, values) in enumerate(curves.nonuniformity.items()):
+        said = {"rollers": rollers, "nonuniformity": Amount("%{y:.4g}"), "error": error}
+        hovered = text("nonuniformity_hover", **said)
+        chart.curve(f"n = {rollers}", errors, values, index, hovered, axis="y2")
+    place = design.relative_position_error, design.load_nonuniformity
+    hovered = text("design_nonuniformity", nonuniformity=Amount("%{y:.5g}"), error=error)
+    chart.mark("design", *place, hovered, axis="y2", showlegend=False)
+    chart.verticals([limit], "muted", xref="x2", yref="y2 domain", layer="above")
+    corner = {"xanchor": "left", "yanchor": "top", "xshift": 4}
+    chart.note("one_carries", x=limit, y=1, xref="x2", yref="y2 domain", **corner)
+
+    modulus = body.design["youngs_modulus"]
+    own: Figure = {"axis": "y3", "legend": "legend2"}
+    for index, (each, values) in enumerate(curves.stress.items()):
+        if curves.scales_gaps:
+            name = text("gaps_times", factor=Amount(each))
+        else:
+            tolerance = Amount(from_si("tolerance_mm", each), "mm", 3)
+            ratio = Amount(each / body.design["diameter"], "", 3)
+            name = text("tolerance", tolerance=tolerance, ratio=ratio)
+        shown = {"stress": Amount("%{y:.4g}", "MPa"), "ratio": Amount("%{customdata:.4g}")}
+        hovered = text("stress_hover", name=name, length=length, **shown)
+        stress, ratios = from_si("stress_MPa", values), drawn(values / modulus)
+        chart.curve(name, lengths, stress, index, hovered, customdata=ratios, **own)
+    shown = {"stress": Amount("%{y:.5g}", "MPa")}
+    shown["ratio"] = Amount(design.bending_stress / modulus, "", 5)
+    place = design.shape.length, from_si("stress_MPa", design.bending_stress)
+    chart.mark("design", *place, text("design_stress", **shown), axis="y3", showlegend=False)
+    return chart.figure
 
 
 CALCULATION = Calculation(

@@ -24,11 +24,10 @@ from app.model import (
     timed,
 )
 from app.sources import ISO_281, YANCHEVSKIY_2021
-from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
+from app.theme import Amount, Chart, Figure, Theme, text
 from app.units import core_name, from_si
 from app.worked import Steps
-from core.arrays import FloatArray
-from core.crank.satellite_bearing import BearingCurves, SatelliteBearings
+from core.crank.satellite_bearing import SatelliteBearings
 from core.design.curves import design_bearings
 from core.errors import NotKnown
 from core.worked.crank import bearing_steps
@@ -50,12 +49,6 @@ class SatelliteBearingRequest(StrengthFields, WorkedFields):
     def steps(self) -> Steps:
         """Worked steps of the bearing with the largest load."""
         return {"satellite_bearing": bearing_steps(self.results)}
-
-    def solve_for_drawing(self) -> tuple[SatelliteBearings, BearingCurves, FloatArray]:
-        """Loads and lives, curves over the turn, and the switching angles, rad."""
-        angles, switching = self.drawn_angles()
-        curves = design_bearings(results=self.results, crank_angle=angles)
-        return self.solve(), curves, switching
 
 
 OF_EACH = (
@@ -98,55 +91,6 @@ ENDLESS = ("basic_life_h", "life_h", "static_safety_factor")
 """Values that the bearing of an unloaded satellite does not have."""
 
 
-def load_figure(
-    found: SatelliteBearings, curves: BearingCurves, switching_deg: FloatArray, theme: Theme
-) -> Figure:
-    """Load in the crank's frame at the left, over the turn at the right, with its equivalent;
-    switching angles, degrees, are thin lines.
-    """
-    angles = from_si("crank_angle_deg", curves.crank_angle)
-    force = Amount("%{y:.5g}", "N")
-    data = []
-    for index in range(curves.load.shape[1]):
-        name = text("satellite", satellite=index + 1)
-        hovered = text("locus_hover", name=name, along=Amount("%{x:.5g}", "N"), across=force)
-        across, along, load = (
-            each[:, index] for each in (curves.across, curves.along, curves.load)
-        )
-        data.append(curve(name, across, along, index, theme, hovered, legendgroup=str(index)))
-        hovered = text("at_angle", name=name, value=force, angle=Amount("%{x:.2f}", "°"))
-        more: dict[str, Any] = {
-            "xaxis": "x2",
-            "yaxis": "y2",
-            "legendgroup": str(index),
-            "showlegend": False,
-        }
-        data.append(curve(name, angles, load, index, theme, hovered, **more))
-    equivalent = text("equivalent_load")
-    hovered = text("mean_hover", name=equivalent, value=force)
-    largest = float(np.max(found.equivalent_load))
-    ends = [0.0, float(angles[-1])]
-    more = {"xaxis": "x2", "yaxis": "y2"}
-    data.append(
-        curve(equivalent, ends, [largest] * 2, curves.load.shape[1], theme, hovered, **more)
-    )
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            height=420,
-            xaxis=axis(theme, text("across_crank"), "N", domain=[0, 0.42]),
-            yaxis=axis(theme, text("along_crank"), "N", scaleanchor="x"),
-            xaxis2=axis(theme, text("crank_angle"), "°", domain=[0.58, 1], anchor="y2", range=ends),
-            yaxis2=axis(theme, text("bearing_load"), "N", anchor="x2"),
-            shapes=[
-                vertical_line(theme, place, xref="x2", yref="y2 domain")
-                for place in switching_deg.round(4).tolist()
-            ],
-        ),
-    }
-
-
 def solve(body: SatelliteBearingRequest) -> Values:
     """Load of the satellites' bearings by pins and ring, static safety and life."""
     return SatelliteBearingResponse.values(*timed(body.solve), forces=body.forces)
@@ -155,8 +99,26 @@ def solve(body: SatelliteBearingRequest) -> Values:
 def figure(body: SatelliteBearingRequest, theme: Theme = "light") -> Figure:
     """Load in the crank's frame and over the turn as a Plotly figure, ready for Plotly.js."""
     body.mechanism.refuse_undrawable()
-    found, curves, switching = body.solve_for_drawing()
-    return load_figure(found, curves, from_si("switching_deg", switching), theme)
+    turn, switching = body.drawn_angles()
+    curves = design_bearings(results=body.results, crank_angle=turn)
+    largest = float(np.max(body.solve().equivalent_load))
+    angles = from_si("angle_deg", turn)
+    ends = [0.0, float(angles[-1])]
+    chart = Chart(theme, height=420)
+    chart.locus_and_turn("across_crank", "along_crank", "N", "bearing_load", "N")
+    chart.layout["xaxis2"]["range"] = ends
+    columns = zip(curves.across.T, curves.along.T, curves.load.T, strict=True)
+    for index, (across, along, load) in enumerate(columns):
+        name = text("satellite", satellite=index + 1)
+        own: Figure = {"legendgroup": str(index)}
+        chart.locus(name, across, along, index, **own)
+        chart.curve(name, angles, load, index, axis="y2", showlegend=False, **own)
+    equivalent = text("equivalent_load")
+    hovered = text("mean_hover", name=equivalent, value=Amount("%{y:.5g}", "N"))
+    chart.curve(equivalent, ends, [largest] * 2, len(curves.load.T), hovered, axis="y2")
+    places = from_si("switching_deg", switching).round(4).tolist()
+    chart.verticals(places, xref="x2", yref="y2 domain")
+    return chart.figure
 
 
 CALCULATION = Calculation(

@@ -29,7 +29,7 @@ from app.model import (
 )
 from app.rules import Forms
 from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
-from app.theme import Amount, Figure, Theme, axis, curve, layout, text, vertical_line
+from app.theme import LEGEND, Chart, Figure, Theme
 from app.units import core_name, from_si, to_si
 from app.worked import Steps
 from core.checks.check import Verdict
@@ -43,7 +43,7 @@ from core.hertz import ElasticMaterial
 from core.materials import like_steel
 from core.precession.line_contact import LineContact, line_contact
 from core.precession.meshing_load import MeshingLoad
-from core.precession.shaft import ShaftDiagram, ShaftSection, shaft_diagram
+from core.precession.shaft import ShaftSection, shaft_diagram
 from core.precession.shaft_deflection import Deflection, ShaftDeflection, shaft_deflection
 from core.precession.shaft_strength import ShaftStrength, shaft_strength
 from core.worked.precession import shaft_steps
@@ -313,12 +313,6 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             found[_diameter(index)] = to_si("diameter_mm", each.diameter_mm)
         return found
 
-    def solve_diagram(self) -> tuple[ShaftDeflection, ShaftDiagram]:
-        """Reactions and deflection, and curves of loads and deflection along the shaft."""
-        load = self.solve_load()
-        diagram = shaft_diagram(force=load.force, moment=load.moment, **self.shaft)
-        return self.solve_shaft(load), diagram
-
 
 class DeflectionOut(ResponseModel, of=Deflection):
     """Deflection or slope in both planes and in total, in the unit of its name."""
@@ -364,64 +358,6 @@ class ShaftDeflectionResponse(JudgedResponse, of=ShaftDeflection):
         return super().values(result, run_time_us, **deflections, **slopes, **given)
 
 
-def shaft_figure(diagram: ShaftDiagram, bearing_distance_mm: float, theme: Theme) -> Figure:
-    """Shear force, bending moment and deflection along the shaft, in both planes.
-
-    `diagram` has the curves from C to the clamp, SI; `bearing_distance_mm` is a, from C to B.
-    """
-    place = from_si("position_mm", diagram.position)
-    panels = (
-        ("shear_force", "N", "shear_N", diagram.shear_force, [0.7, 1.0]),
-        ("bending_moment", "N·m", "moment_Nm", diagram.bending_moment, [0.36, 0.66]),
-        ("deflection", "mm", "deflection_mm", diagram.deflection, [0.0, 0.32]),
-    )
-    data, axes = [], {}
-    for row, (title, unit, field, values, domain) in enumerate(panels, start=1):
-        suffix = "" if row == 1 else str(row)
-        axes[f"yaxis{suffix}"] = axis(theme, text(title), unit, domain=domain)
-        for plane, name in enumerate((text("plane_xz"), text("plane_yz"))):
-            data.append(
-                curve(
-                    name,
-                    place,
-                    from_si(field, values[:, plane]),
-                    plane,
-                    theme,
-                    text(
-                        "at_place",
-                        name=name,
-                        value=Amount("%{y:.5g}", unit),
-                        place=Amount("%{x:.4g}", "mm"),
-                    ),
-                    yaxis=f"y{suffix}",
-                    showlegend=row == 1,
-                )
-            )
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            height=680,
-            xaxis=axis(theme, text("along_shaft"), "mm", anchor="y3"),
-            **axes,
-            shapes=[vertical_line(theme, bearing_distance_mm, ink="muted", layer="above")],
-            annotations=[
-                {
-                    "text": name,
-                    "x": x,
-                    "y": 1,
-                    "xref": "x",
-                    "yref": "paper",
-                    "yanchor": "bottom",
-                    "showarrow": False,
-                }
-                for name, x in (("C", 0.0), ("B", bearing_distance_mm), (text("clamp"), place[-1]))
-            ],
-            legend={"orientation": "h", "y": 1.06, "yanchor": "bottom", "x": 0},
-        ),
-    }
-
-
 def solve(body: ShaftDeflectionRequest) -> Values:
     """Reactions of the shaft and its deflection at the bearings B and C, in both planes."""
     (load, result), run_time_us = timed(body.solve_all)
@@ -444,8 +380,25 @@ def solve(body: ShaftDeflectionRequest) -> Values:
 
 def figure(body: ShaftDeflectionRequest, theme: Theme = "light") -> Figure:
     """Shear force, bending moment and deflection along the shaft, in both planes."""
-    _, diagram = body.solve_diagram()
-    return shaft_figure(diagram, body.bearing_distance_mm, theme)
+    load = body.solve_load()
+    diagram = shaft_diagram(force=load.force, moment=load.moment, **body.shaft)
+    place = from_si("position_mm", diagram.position)
+    chart = Chart(theme, height=680, legend=LEGEND | {"y": 1.06})
+    chart.axis("x", "along_shaft", "mm", anchor="y3")
+    panels = (
+        ("y", "shear_force", "N", from_si("force_N", diagram.shear_force), [0.7, 1.0]),
+        ("y2", "bending_moment", "N·m", from_si("moment_Nm", diagram.bending_moment), [0.36, 0.66]),
+        ("y3", "deflection", "mm", from_si("deflection_mm", diagram.deflection), [0.0, 0.32]),
+    )
+    for axis, title, unit, values, domain in panels:
+        chart.axis(axis, title, unit, domain=domain)
+        for plane, name in enumerate(("plane_xz", "plane_yz")):
+            own: Figure = {"axis": axis, "showlegend": axis == "y"}
+            chart.curve(name, place, values[:, plane], plane, **own)
+    chart.verticals([body.bearing_distance_mm], "muted", layer="above")
+    for name, x in (("C", 0.0), ("B", body.bearing_distance_mm), ("clamp", place[-1])):
+        chart.note(name, x=x, y=1, xref="x", yref="paper", yanchor="bottom")
+    return chart.figure
 
 
 CALCULATION = Calculation(

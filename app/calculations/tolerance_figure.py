@@ -3,19 +3,7 @@
 from itertools import pairwise
 from typing import Any
 
-from app.theme import (
-    INK,
-    Amount,
-    Figure,
-    Theme,
-    axis,
-    hover,
-    layout,
-    note,
-    series_style,
-    text,
-    vertical_line,
-)
+from app.theme import Amount, Chart, Figure, Theme, text
 from app.units import core_name, shown_unit
 
 
@@ -26,101 +14,57 @@ def tolerance_figure(name: str, quantity: dict[str, Any], theme: Theme) -> Figur
     return _histogram(name, quantity, theme)
 
 
-def _bars(name: str, index: int, theme: Theme, **more: Any) -> Figure:
-    colour, _, hatch = series_style(index, theme)
-    pattern = {"shape": hatch, "fillmode": "overlay", "size": 7}
-    line = {"color": colour, "width": 1}
-    marker = {"color": colour, "line": line, "pattern": pattern}
-    return {"type": "bar", "name": name, "marker": marker, **more}
-
-
 def _histogram(name: str, quantity: dict[str, Any], theme: Theme) -> Figure:
-    unit = shown_unit(name)
+    unit, chart = shown_unit(name), Chart(theme, height=420, bargap=0)
+    chart.axis("x", text(core_name(name)), unit)
+    chart.axis("y", "pieces", rangemode="tozero")
     histogram = quantity.get("histogram", {"edges": [], "counts": []})  # where no piece fits
-    edges = [float(each) for each in histogram["edges"]]
-    pairs = [*pairwise(edges)]
+    pairs = [*pairwise(float(each) for each in histogram["edges"])]
     low, high = (Amount(f"%{{customdata[{end}]:.5g}}", unit) for end in (0, 1))
-    bars = _bars(
-        text("pieces"),
+    chart.bars(
+        "pieces",
         0,
-        theme,
+        text("pieces_hover", pieces="%{y}", low=low, high=high),
         x=[(start + end) / 2 for start, end in pairs],
         width=[end - start for start, end in pairs],
         y=[int(count) for count in histogram["counts"]],
         customdata=[[*pair] for pair in pairs],
-        hovertemplate=hover(text("pieces_hover", pieces="%{y}", low=low, high=high)),
         showlegend=False,
     )
-    marks = []
+    marks = list[tuple[str, dict[str, Amount], float]]()
     if "nominal" in quantity:
-        value = Amount(quantity["nominal"], unit, 5)
-        marks.append((text("nominal", value=value), quantity["nominal"]))
+        marks.append(("nominal", {}, quantity["nominal"]))
     for each in quantity["percentiles"]:
-        value = Amount(each["value"], unit, 5)
-        words = text("percentile", percent=Amount(each["percent"]), value=value)
-        marks.append((words, each["value"]))
+        marks.append(("percentile", {"percent": Amount(each["percent"])}, each["value"]))
     if "yield" in quantity:
-        limit = quantity["yield"]["limit"]
-        marks.append((text("limit", value=Amount(limit, unit, 5)), limit))
-    notes = [
-        note(theme, words, x=x, y=0.99 - 0.06 * row, yref="paper", xanchor="left", yanchor="top")
-        for row, (words, x) in enumerate(marks)
-    ]
-    return {
-        "data": [bars],
-        "layout": layout(
-            theme,
-            height=420,
-            bargap=0,
-            xaxis=axis(theme, text(core_name(name)), unit),
-            yaxis=axis(theme, text("pieces"), rangemode="tozero"),
-            shapes=[vertical_line(theme, x, ink="text", layer="above") for _, x in marks],
-            annotations=notes,
-        ),
-    }
+        marks.append(("limit", {}, quantity["yield"]["limit"]))
+    for row, (words, params, x) in enumerate(marks):
+        place = {"x": x, "y": 0.99 - 0.06 * row, "yref": "paper"}
+        said = text(words, value=Amount(x, unit, 5), **params)
+        chart.note(said, **place, xanchor="left", yanchor="top")
+    chart.verticals([x for _, _, x in marks], "text", layer="above")
+    return chart.figure
 
 
 def _ranked(ranked: list[dict[str, Any]], theme: Theme) -> Figure:
-    rows = list(range(len(ranked)))
-    data = []
+    height = 120 + 70 * len(ranked)
+    chart = Chart(theme, height=height, barmode="group", bargap=0.4)
+    chart.axis("x", "share_of_variance")
+    bare: Figure = {"showticklabels": False, "ticks": "", "showgrid": False, "zeroline": False}
+    chart.axis("y", "tolerances", range=[len(ranked) - 0.4, -0.8], **bare)
     for index, (words, field) in enumerate((("share_in_all", "total"), ("share_alone", "first"))):
-        shown = text(words)
-        errors = {
-            "type": "data",
-            "array": [1.96 * each[f"{field}_error"] for each in ranked],
-            "color": INK[theme]["text"],
-            "thickness": 1,
-        }
-        data.append(
-            _bars(
-                shown,
-                index,
-                theme,
-                orientation="h",
-                x=[each[field] for each in ranked],
-                y=rows,
-                error_x=errors,
-                hovertemplate=hover(text("mean_hover", name=shown, value=Amount("%{x:.3f}"))),
-            )
+        errors = [1.96 * each[f"{field}_error"] for each in ranked]
+        look = {"type": "data", "color": chart.ink["text"], "thickness": 1}
+        chart.bars(
+            words,
+            index,
+            text("mean_hover", name=text(words), value=Amount("%{x:.3f}")),
+            orientation="h",
+            x=[each[field] for each in ranked],
+            y=[*range(len(ranked))],
+            error_x=look | {"array": errors},
         )
-    names = [
-        note(theme, text(core_name(each["source"])), x=0, xref="paper", y=row - 0.5,
-             xanchor="left", yanchor="middle")
-        for row, each in enumerate(ranked)
-    ]  # fmt: skip
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            height=120 + 70 * len(ranked),
-            barmode="group",
-            bargap=0.4,
-            xaxis=axis(theme, text("share_of_variance")),
-            yaxis={
-                **axis(theme, text("tolerances"), showticklabels=False, ticks="", showgrid=False),
-                "range": [len(ranked) - 0.4, -0.8],
-                "zeroline": False,
-            },
-            annotations=names,
-        ),
-    }
+    for row, each in enumerate(ranked):
+        place = {"x": 0, "xref": "paper", "y": row - 0.5}
+        chart.note(text(core_name(each["source"])), **place, xanchor="left", yanchor="middle")
+    return chart.figure

@@ -16,7 +16,7 @@ from app.calculations.tolerance_study import ToleranceStudyRequest
 from app.model import Calculation, RequestModel, ResponseModel, Values, result, untold
 from app.rules import field_error
 from app.settings import Settings
-from app.theme import Amount, Figure, Theme, axis, curve, layout, marker, text
+from app.theme import LEGEND, Amount, Chart, Figure, Theme, text
 from core.errors import METHODS, InvalidInput
 from core.precision import CLASSES
 from core.work_precision.peaks import peak_force_study, real_peak_study
@@ -210,48 +210,6 @@ EXACT = 1e-17
 """Place of an error of 0 in the figure, below the rounding of any double."""
 
 
-def work_precision_figure(answer: Values, theme: Theme) -> Figure:
-    """Every method's errors over its run times, with a mark at the calculators' method."""
-    methods: dict[str, list[Values]] = {}
-    for point in answer["points"]:
-        methods.setdefault(point["method_code"], []).append(point)
-    amounts = {"error": Amount("%{y:.2g}"), "time": Amount("%{x:.3g}", "µs")}
-    data = []
-    for index, (code, points) in enumerate(methods.items()):
-        method = text(f"methods.{code}")
-        line = curve(
-            method,
-            [point["run_time_us"] for point in points],
-            [max(point["relative_error"], EXACT) for point in points],
-            index,
-            theme,
-            text("error_in_time", method=method, setting="%{customdata}", **amounts),
-            marker={"size": 7},
-            customdata=[
-                text(f"settings.{point['setting_code']}", value=point["setting_value"])
-                for point in points
-            ],
-        )
-        data.append(line | {"mode": "lines+markers"})
-    chosen = answer["chosen"]
-    used = text("error_in_time_chosen", method=text(f"methods.{chosen['method_code']}"), **amounts)
-    error = max(chosen["relative_error"], EXACT)
-    data.append(marker(text("used"), chosen["run_time_us"], error, theme, used))
-    return {
-        "data": data,
-        "layout": layout(
-            theme,
-            height=600,
-            # All powers of ten alike, 1e-4 as 1e-14, and only digits between them.
-            xaxis=axis(theme, text("run_time"), "µs", type="log", dtick=1, tickformat="~r"),
-            yaxis=axis(
-                theme, text("relative_error"), type="log", exponentformat="e", tickformat=""
-            ),
-            legend={"orientation": "h", "y": -0.18, "yanchor": "top", "x": 0, "font": {"size": 11}},
-        ),
-    }
-
-
 def solve(body: WorkPrecisionRequest) -> Values:
     """Error against run time of the methods of a calculation, for the input given."""
     assert isinstance(body, Study)  # the other is refused as it is read
@@ -260,7 +218,34 @@ def solve(body: WorkPrecisionRequest) -> Values:
 
 def figure(body: WorkPrecisionRequest, theme: Theme = "light") -> Figure:
     """Error against run time as a diagram with logarithmic axes."""
-    return work_precision_figure(solve(body), theme)
+    answer, methods = solve(body), dict[str, list[Values]]()
+    for point in answer["points"]:
+        methods.setdefault(point["method_code"], []).append(point)
+    amounts = {"error": Amount("%{y:.2g}"), "time": Amount("%{x:.3g}", "µs")}
+    chart = Chart(theme, height=600)
+    chart.layout["legend"] = LEGEND | {"y": -0.18, "yanchor": "top", "font": {"size": 11}}
+    # All powers of ten alike, 1e-4 as 1e-14, and only digits between them.
+    chart.axis("x", "run_time", "µs", type="log", dtick=1, tickformat="~r")
+    chart.axis("y", "relative_error", type="log", exponentformat="e", tickformat="")
+    for index, (code, points) in enumerate(methods.items()):
+        method = text(f"methods.{code}")
+        chart.curve(
+            method,
+            [point["run_time_us"] for point in points],
+            [max(point["relative_error"], EXACT) for point in points],
+            index,
+            text("error_in_time", method=method, setting="%{customdata}", **amounts),
+            mode="lines+markers",
+            marker={"size": 7},
+            customdata=[
+                text(f"settings.{point['setting_code']}", value=point["setting_value"])
+                for point in points
+            ],
+        )
+    chosen = answer["chosen"]
+    used = text("error_in_time_chosen", method=text(f"methods.{chosen['method_code']}"), **amounts)
+    chart.mark("used", chosen["run_time_us"], max(chosen["relative_error"], EXACT), used)
+    return chart.figure
 
 
 CALCULATION = Calculation(
