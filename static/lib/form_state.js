@@ -5,7 +5,6 @@
  * its texts are in the units shown, its values (and what a request carries) in the canonical ones.
  */
 import { parseNumber, parseNumbers, parseSum, tidy, typedText } from "./format.js";
-import { fieldsOf } from "./schema_form.js";
 import { canonicalValue, DIAMETER, partedUnit, shownStep, shownValue, spell } from "./units.js";
 
 function valueAt(input, path) {
@@ -249,20 +248,6 @@ export function withLinks(model, state) {
     if (follows && readings[path] && String(follows(filled)) === String(readings[path].value)) texts[path] = "";
   }
   return { ...state, texts };
-}
-
-/** The boxes of a state that say something, by groups: `[{ id, title, entries: [{ field, value }] }]`; a group that is off until wanted has the title of its switch. */
-export function listedInputs(model, state) {
-  const shown = new Set(shownFields(model, state));
-  const { filled } = readState(model, state);
-  return model.groups.map(({ id, wanted, items }) => ({
-    id,
-    title: wanted && items[0].title,
-    entries: items.flatMap(fieldsOf)
-      .filter((field) => shown.has(field))
-      .map((field) => ({ field, value: valueAt(filled, placeOf(field)) }))
-      .filter(({ value }) => value !== undefined),
-  })).filter(({ entries }) => entries.length > 0);
 }
 
 /** Names and indices of a JSON pointer. */

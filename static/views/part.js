@@ -27,17 +27,17 @@ function stacked({ data, layout }) {
   };
 }
 
-export function createView({ id, section, client, titles, calculations, logic }) {
+export function createView({ id, section, store, client, titles, calculations, logic }) {
   const root = element(html`<div class="part"><p class="state"></p><dl class="numbers"></dl><div class="all"></div>
     <p class="left-out note"></p></div>`);
-  const path = logic.figure?.path ?? `${logic.path}/`;
+  const path = logic.figure?.path ?? `${store.state.about.calculator.path}/`;
   const { model } = calculations.find(({ name }) => path.startsWith(`/${name}/`));
   const part = (name) => root.querySelector(`.${name}`);
   const figure = logic.figure && createFigure({
-    figure: { shape: stacked, height: NARROW.matches ? TALL : HEIGHT, ...logic.figure }, client, titles,
+    figure: { id, section, shape: stacked, height: NARROW.matches ? TALL : HEIGHT, ...logic.figure }, client, titles,
   });
   const { lists = {} } = logic;
-  const calculator = { id, drawing: logic.drawing, figures: [], elsewhere: ["locus", "curves", "forces", ...Object.keys(lists)] };
+  const calculator = { id, drawing: { create: logic.drawing, section }, figures: [], elsewhere: ["locus", "curves", "forces", ...Object.keys(lists)] };
   const drawing = logic.drawing && createDrawingView({ calculator, on: {} });
   if (drawing) part("all").before(drawing.root);
   if (figure) part("left-out").before(figure.root);

@@ -4,7 +4,7 @@ import { test } from "node:test";
 
 import { createBeside } from "../../static/besides.js";
 import { Problem } from "../../static/lib/api.js";
-import { isOn, listedInputs, lostOf, readState, shownFields, stateFromInput, withLinks } from "../../static/lib/form_state.js";
+import { isOn, lostOf, readState, shownFields, stateFromInput, withLinks } from "../../static/lib/form_state.js";
 import { formModel } from "../../static/lib/schema_form.js";
 import { decodeState, encodeState } from "../../static/lib/url_state.js";
 import * as next from "../../static/store.js";
@@ -133,12 +133,11 @@ test("with another option a number that others give follows them, one whose othe
   assert.deepEqual(said(wrong), ["", undefined, []]);
 });
 
-test("a group that is off is not shown, asked for, listed or linked", () => {
+test("a group that is off is not shown, asked for or linked", () => {
   const state = stateFromInput(MODEL, INPUT);
   assert.ok(!isOn(MODEL, "real", state.texts));
   assert.deepEqual(shownFields(MODEL, state).filter(({ wanted }) => wanted).map(({ path }) => path), ["real.on"]);
   assert.equal(readState(MODEL, state).input.besides, undefined);
-  assert.ok(!listedInputs(MODEL, state).some(({ id }) => id === "real"));
   assert.ok(![...encodeState(MODEL, state).keys()].some((key) => MODEL.fields.get(key).wanted));
 });
 
@@ -338,7 +337,7 @@ test("a figure of strength and life asks with the document that its numbers are 
   assert.deepEqual([document.deviations, document.satellite_coupling], [{ pin_radial_mm: [0.01, 0, 0] }, { kind: "shares", shares: [0.4, 0.6] }]);
   assert.deepEqual([pin, friction, gear], [besides.pin, { ...besides.friction, sleeve: true }, { radial_force_ratio: 0.4 }]);
   for (const id of ["strength", "losses", "bearings", "crank"]) {
-    const { figure } = await import(`../../static/calculators/crank-planetary/${id}.js`);
+    const { [id]: { figure } } = await import("../../static/calculators/crank-planetary/parts.js");
     assert.deepEqual(figure.body({}, {}, requests), document, id);
     assert.ok(figure.body.length > 1, id); // it is not asked for before the numbers
   }
@@ -369,7 +368,7 @@ test("measured pins of the ring are of the teeth alone: beside those of the outp
   const involute = { kind: "involute", module_mm: 3, teeth_difference: 2, satellite_profile_shift: 0, ring_profile_shift: 0.4 };
   const [{ body: { include } }] = await asked({ gear: involute });
   assert.ok(include.includes("ring_mesh") && include.includes("ring_drawing"));
-  const teeth = await import("../../static/calculators/crank-planetary/teeth.js");
+  const { teeth } = await import("../../static/calculators/crank-planetary/parts.js");
   assert.deepEqual(teeth.figure.body({}, {}, [alone]), { ...alone.body, include: ["ring_mesh"] });
   const { rows } = WANTED.find(({ id }) => id === "teeth").fields["deviations.ring_pins"];
   assert.deepEqual([{ ratio: 20 }, { satellite_teeth: 19, ring_teeth: 20 }].map((mechanism) => rows({ mechanism }).length), [21, 20]);
@@ -428,7 +427,7 @@ test("more pairs than the service takes are refused without it: of a mechanism, 
     assert.throws(() => body(design(MOST_PAIRS.drawn + 2)), refused(MOST_PAIRS.drawn / 2));
   }
   for (const id of ["strength", "losses", "bearings", "crank"]) {
-    const { figure } = await import(`../../static/calculators/crank-planetary/${id}.js`);
+    const { [id]: { figure } } = await import("../../static/calculators/crank-planetary/parts.js");
     assert.throws(() => figure.body({}, {}, [{ body: design(MOST_PAIRS.drawn + 2) }]), refused(MOST_PAIRS.drawn / 2), id);
   }
 });
@@ -526,7 +525,7 @@ test("what is typed of housing and carrier is asked for, and places follow the g
   assert.deepEqual(documentOf({ ...input, besides: { housing: { on: "on" } } }).build, {});
   const { follows } = WANTED.find(({ id }) => id === "strength").fields["pin.satellite_positions_mm"];
   assert.deepEqual([follows(input), follows({ ...input, besides: { build } })], [[13, 36], [12, 34]]);
-  const { cells } = await import("../../static/calculators/crank-planetary/housing.js");
+  const { housing: { cells } } = await import("../../static/calculators/crank-planetary/parts.js");
   const [around, along] = cells({ outer_diameter_mm: 152, length_mm: 74.8, of: ["housing", "carrier", "bearing_b"] });
   assert.match(`${around.value} ${around.note}`, /152.*Ring housing/);
   assert.match(`${along.value} ${along.note}`, /74\.8.*Carrier; Bearing B/);
@@ -535,7 +534,7 @@ test("what is typed of housing and carrier is asked for, and places follow the g
 test("mass and inertia are asked for where they are wanted, and say of each part what is known", async () => {
   const input = inputOf({ mechanism: { satellites: 2 }, contact: {} });
   assert.deepEqual(wantedSections({ ...input, besides: { ...input.besides, mass: { on: "on" } } }), ["mass"]);
-  const { cells } = await import("../../static/calculators/crank-planetary/mass.js");
+  const { mass: { cells } } = await import("../../static/calculators/crank-planetary/parts.js");
   const parts = [{ code: "discs", count: 2, mass_kg: 2.88, estimate: false }, { code: "housing", count: 1, mass_kg: 1.569, estimate: true }];
   const lacks = { code: "bearing_a", reason: { code: "bearing_unnamed", detail: "Only" }, missing: ["/crankshaft/bearings"] };
   const [whole, inertia, discs, housing, bearing] = cells({ mass_kg: 6.852, inertia_kg_m2: 5.6e-5, parts: [...parts, lacks] });
@@ -547,7 +546,7 @@ test("mass and inertia are asked for where they are wanted, and say of each part
 });
 
 test("rollers say load, life and safety, and what they lack", async () => {
-  const { cells } = await import("../../static/calculators/crank-planetary/pin_rollers.js");
+  const { rolling: { cells } } = await import("../../static/calculators/crank-planetary/parts.js");
   const found = { equivalent_load_N: 33.55, peak_load_N: 56.25, satellite: 1, pin: 2 };
   const [load, life, safety] = cells({ ...found, life_h: 3.24e6, dynamic_rating_as_roller_N: 815.8, static_safety_factor: 4.889, speed_rpm: 73.85 });
   assert.match(load.note, /56.25/);

@@ -278,6 +278,12 @@ function hasPlastic({ contact = {} }, materialOf) {
   });
 }
 
+/** A group that is a section of the answer. */
+const part = (id, section, fields, own) => ({
+  id, section, fields, ...own,
+  load: () => Promise.all([import("./parts.js").then(({ [id]: logic }) => logic), import("../../views/part.js")]),
+});
+
 export const WANTED = [
   {
     id: "real",
@@ -293,66 +299,24 @@ export const WANTED = [
     starts,
     load: () => Promise.all([import("./study.js"), import("../../views/study.js")]),
   },
-  {
-    id: "strength",
-    section: "pin_strength",
-    fields: STRENGTH,
-    starts: () => ({ "fatigue.reliability_percent": 99 }),
-    load: () => Promise.all([import("./strength.js"), import("../../views/part.js")]),
-  },
-  {
-    id: "rolling",
-    section: "rollers",
-    fields: ROLLING,
-    starts: () => ({ "load.input_speed_rpm": USUAL_RPM }),
-    load: () => Promise.all([import("./pin_rollers.js"), import("../../views/part.js")]),
-  },
-  {
-    id: "losses",
-    section: "output_efficiency",
-    fields: LOSSES,
+  part("strength", "pin_strength", STRENGTH, { starts: () => ({ "fatigue.reliability_percent": 99 }) }),
+  part("rolling", "rollers", ROLLING, { starts: () => ({ "load.input_speed_rpm": USUAL_RPM }) }),
+  part("losses", "output_efficiency", LOSSES, {
     starts: (input, materialOf) => ({ "friction.coefficient": hasPlastic(input, materialOf) ? undefined : 0.08, "load.input_speed_rpm": USUAL_RPM }),
-    load: () => Promise.all([import("./losses.js"), import("../../views/part.js")]),
-  },
-  {
-    id: "bearings",
-    section: "satellite_bearing",
-    fields: BEARINGS,
-    starts: (input) => ({ ...ringOf(input), "load.input_speed_rpm": USUAL_RPM }),
-    load: () => Promise.all([import("./bearings.js"), import("../../views/part.js")]),
-  },
-  {
-    id: "teeth",
-    section: "ring_mesh",
+  }),
+  part("bearings", "satellite_bearing", BEARINGS, { starts: (input) => ({ ...ringOf(input), "load.input_speed_rpm": USUAL_RPM }) }),
+  part("teeth", "ring_mesh", TEETH, {
     needs: "bearings",
     applies: ({ besides: { gear } = {} }) => Boolean(gear?.modification && !gear.every_second_pin) || shifted(gear),
-    fields: TEETH,
     starts(input) {
       const found = ringOf(input);
       if (input.besides?.gear?.kind === "involute" && input.besides.gear.module_mm) return teethTo(input, found);
       return { ...found, "gear.kind": "cycloid", "gear.modification.equidistant_mm": 0.02, "load.input_speed_rpm": USUAL_RPM };
     },
-    load: () => Promise.all([import("./teeth.js"), import("../../views/part.js")]),
-  },
-  {
-    id: "crank",
-    section: "crankshaft",
-    needs: "bearings",
-    fields: CRANK,
-    load: () => Promise.all([import("./crank.js"), import("../../views/part.js")]),
-  },
-  {
-    id: "housing",
-    section: "envelope",
-    fields: HOUSING,
-    load: () => Promise.all([import("./housing.js"), import("../../views/part.js")]),
-  },
-  {
-    id: "mass",
-    section: "mass",
-    fields: {},
-    load: () => Promise.all([import("./mass.js"), import("../../views/part.js")]),
-  },
+  }),
+  part("crank", "crankshaft", CRANK, { needs: "bearings" }),
+  part("housing", "envelope", HOUSING),
+  part("mass", "mass", {}),
 ];
 
 /**
