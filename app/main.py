@@ -2,6 +2,8 @@
 
 import asyncio
 import gc
+import os
+import re
 import threading
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -135,6 +137,32 @@ def file_response(name: str, scope: Scope) -> Response:
     return _packed_file(path, path.stat().st_mtime_ns).response(scope)
 
 
+IMPORTED = re.compile(r'^(?:import|export|}) ?[^";]*?"(\.+/[^"]+)"(?: with [^;]*)?;', re.MULTILINE)
+"""Path of another module in a module of the page."""
+
+FIRST = "calculators/crank-planetary/index.js"
+"""Calculator that opens without one in the address."""
+
+
+@cache
+def _page(calculator: str) -> Packed:
+    """The page, with a link for each module that its first screen imports, one through the other:
+    a browser then asks for all of them at once.
+    """
+    names = ["main.js", calculator]
+    for name in names:
+        imported = IMPORTED.findall((STATIC / name).read_text())
+        found = [os.path.normpath(f"{name}/../{path}") for path in imported]
+        names += [path for path in dict.fromkeys(found) if path not in names]
+    kinds = {True: ' as="json"', False: ""}
+    links = "".join(
+        f'<link rel="modulepreload"{kinds[name.endswith("json")]} href="static/{name}">\n'
+        for name in names[1:]
+    )
+    text = (STATIC / "index.html").read_text().replace("</head>", f"{links}</head>")
+    return Packed(text.encode(), "text/html")
+
+
 @asynccontextmanager
 async def lifespan(app: FastAPI) -> AsyncIterator[None]:
     """Keep processes for long calculations while the service runs."""
@@ -200,7 +228,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
 
     @app.get("/", include_in_schema=False)
     async def page(request: Request) -> Response:
-        return file_response("index.html", request.scope)
+        asked = f"calculators/{request.query_params.get('calculator')}/index.js"
+        return _page(asked if asked in _files() else FIRST).response(request.scope)
 
     @app.get("/docs", include_in_schema=False)
     async def docs(request: Request) -> Response:

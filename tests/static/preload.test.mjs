@@ -1,14 +1,14 @@
-/** What the page asks for at once, in index.html and first.js, is what it needs, and nothing else. */
+/** What the page asks for at once, by its head and first.js, is what it needs, and nothing else. */
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import vm from "node:vm";
 
 import { CALCULATORS } from "../../static/calculators/index.js";
+import { pages } from "./service.mjs";
 
 const ROOT = new URL("../../", import.meta.url);
 const textOf = (path) => readFileSync(new URL(`.${path}`, ROOT), "utf8");
-const HEAD = textOf("/static/index.html");
 
 /** The paths of a module and of all that it imports, one through the other. */
 function graph(path, found = new Set()) {
@@ -20,8 +20,8 @@ function graph(path, found = new Set()) {
   return found;
 }
 
-function linked(rel) {
-  return [...HEAD.matchAll(/<link ([^>]*)>/g)].map(([, text]) => Object.fromEntries(
+function linked(rel, page = pages[""]) {
+  return [...page.matchAll(/<link ([^>]*)>/g)].map(([, text]) => Object.fromEntries(
     [...text.matchAll(/([\w-]+)(?:="([^"]*)")?/g)].map(([, name, value = ""]) => [name, value]),
   )).filter((link) => link.rel === rel);
 }
@@ -38,26 +38,16 @@ function asksAt(search) {
   return links;
 }
 
-const preloadedAt = (search) => asksAt(search).filter(({ rel }) => rel === "modulepreload").map(({ href }) => `/${href}`);
-
-test("every module of the first screen is preloaded", () => {
-  const modules = [...graph("/static/main.js")];
-  assert.ok(modules.length > 30, modules.length);
-  assert.deepEqual(linked("modulepreload").map(({ href }) => `/${href}`).sort(), modules.filter((path) => path !== "/static/main.js").sort());
-});
-
 for (const id of CALCULATORS) {
-  test(`and those of the calculator that is opened: ${id}`, () => {
-    const common = graph("/static/main.js");
-    const own = [...graph(`/static/calculators/${id}/index.js`)].filter((path) => !common.has(path));
-    assert.deepEqual(preloadedAt(`?calculator=${id}&v=2`).sort(), own.sort());
+  test(`every module of the first screen is preloaded: ${id}`, () => {
+    const modules = [...graph(`/static/calculators/${id}/index.js`, graph("/static/main.js"))];
+    assert.ok(modules.length > 30, modules.length);
+    assert.deepEqual(linked("modulepreload", pages[id]).map(({ href }) => `/${href}`).sort(), modules.filter((path) => path !== "/static/main.js").sort());
   });
 }
 
 test("without a calculator in the address those of the first", () => {
-  for (const search of ["", "?calculator=another"]) {
-    assert.deepEqual(preloadedAt(search), preloadedAt(`?calculator=${CALCULATORS[0]}`));
-  }
+  for (const id of ["", "another"]) assert.equal(pages[id], pages[CALCULATORS[0]]);
 });
 
 test("what the service says of itself is asked for in the way in which the page asks", () => {
