@@ -651,8 +651,7 @@ class Calculation:
         asked = "worked" in (getattr(body, "include", None) or ())
         if asked and (steps := body.steps()) is not None:
             values["worked"] = worked(steps)
-        if notices := body.notices():
-            values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
+        warned(values, *body.notices())
         if checks := values.get("checks"):
             _leave_to_checks(values, checks)
         return values
@@ -898,6 +897,13 @@ class WarningOut(BaseModel):
     params: dict[str, Any] = Field(description="Names and numbers in the text of the warning.")
     detail: str = Field(description="Text of the warning, in English.")
     was: Maybe[str] = Field(default=None, description=REPLACED)
+
+
+def warned(values: Values, *results: Any) -> Values:
+    """Values of an answer, with notices of further results before its warnings."""
+    if notices := notices_of(*results):
+        values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
+    return values
 
 
 def _taken(name: str, value: object) -> Values:

@@ -1,8 +1,8 @@
 """Verdict, checks and fixes in requests and answers."""
 
 import math
-from collections.abc import Iterator
-from functools import cache, lru_cache
+from collections.abc import Callable, Iterator, Mapping
+from functools import cache, cached_property, lru_cache
 from typing import Any, Literal
 
 from pydantic import Field
@@ -39,6 +39,7 @@ from core.design.mass import PartMass
 from core.design.sections import Requirements
 from core.errors import if_known
 from core.fixes.fix import Fix, FixStatus
+from core.fixes.plain import plain_fixes
 from core.hertz import LIMIT_SOURCES, Criterion, Verified
 
 FixesFor = Literal["governing", "failed"]
@@ -60,6 +61,29 @@ class JudgedFields(RequestModel):
     fixes_for: FixesFor = Field(
         default="governing", description="Checks that the section `fixes` has to cure."
     )
+
+    @cached_property
+    def own(self) -> dict[str, Any]:
+        """Inputs in SI units, by their names in core."""
+        return self.to_core()
+
+    def judged(
+        self,
+        verdict: Verdict,
+        *,
+        torque: float,
+        design: Mapping[str, Any],
+        checks: Callable[[dict[str, Any]], Verdict],
+    ) -> dict[str, Any]:
+        """Fields of `JudgedResponse`, with checks and fixes on request: `design` has the inputs
+        that fixes may change, and `checks` judges changed ones.
+        """
+        judged = judgement(verdict, self, torque=torque, checks="checks" in self.include)
+        if "fixes" in self.include:
+            codes = codes_to_fix(verdict, self.fixes_for)
+            fixes = plain_fixes(design=design, codes=codes, current=verdict, checks=checks)
+            judged["fixes"] = [fix_values(each, self) for each in fixes]
+        return judged
 
 
 class ScopedRequirementsFields(SectionFields, of=Requirements, group="requirements"):

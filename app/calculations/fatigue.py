@@ -1,13 +1,29 @@
 """Fatigue of a part: basis of its strength, and stress cycle."""
 
+from collections.abc import Mapping
+from typing import Any
+
 from app.fields import SectionFields
 from app.model import ResponseModel
 from core.design.sections import FatigueBasis
-from core.fatigue import CycleFatigue, EnduranceFactors
+from core.fatigue import CycleFatigue, EnduranceFactors, FatigueStrength
+from core.materials import like_steel
 
 
 class FatigueFields(SectionFields, of=FatigueBasis, without=("life",), group="fatigue"):
     """Basis of the fatigue strength of a part."""
+
+
+def strength_of(basis: FatigueBasis, own: Mapping[str, Any], diameter: float) -> FatigueStrength:
+    """Fatigue strength of a round part of a diameter, m, by inputs of its material; NotKnown if a
+    value lacks.
+    """
+    return basis.of(
+        diameter=diameter,
+        tensile_strength=own.get("tensile_strength"),
+        yield_strength=own.get("yield_strength"),
+        steel=like_steel(own["youngs_modulus"]),
+    )
 
 
 class PinFatigueFields(SectionFields, of=FatigueBasis, group="fatigue"):

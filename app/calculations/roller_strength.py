@@ -7,14 +7,8 @@ from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, field_validator, model_validator
 
-from app.calculations.checks import (
-    JudgedFields,
-    JudgedResponse,
-    codes_to_fix,
-    fix_values,
-    judgement,
-)
-from app.calculations.fatigue import CycleOut, FatigueFields
+from app.calculations.checks import JudgedFields, JudgedResponse
+from app.calculations.fatigue import CycleOut, FatigueFields, strength_of
 from app.model import (
     Calculation,
     Maybe,
@@ -22,22 +16,19 @@ from app.model import (
     Values,
     Whole,
     no_dust,
-    notices_of,
     quantity,
     timed,
-    warning,
+    warned,
 )
 from app.rules import Forms, field_error
 from app.sources import OVSYANNIKOV_2019, SHIGLEY
 from app.theme import LEGEND, Amount, Chart, Figure, Theme, drawn, text
-from app.units import from_si, to_si
+from app.units import from_si
 from app.worked import Steps
 from core.checks.check import Verdict
 from core.checks.plain import RollerDesign, roller_checks
 from core.errors import Notice, NotKnown
 from core.fatigue import CycleFatigue
-from core.fixes.plain import plain_fixes
-from core.materials import like_steel
 from core.rollers.roller_curves import roller_curves
 from core.rollers.roller_strength import (
     RollerStrength,
@@ -166,7 +157,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
     def _inputs(self) -> dict[str, Any]:
         """Arguments of the core by the names of the inputs."""
         aside = (*JudgedFields.model_fields, *_JUDGED_BY, *_TIRED_BY)
-        return {name: each for name, each in self.to_core().items() if name not in aside}
+        return {name: each for name, each in self.own.items() if name not in aside}
 
     def tired(self, result: RollerStrength, diameter: float) -> CycleFatigue | Notice | None:
         """Fatigue of rollers of a diameter, m, or why it is not known; None if not requested. The
@@ -182,12 +173,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         elif notch > 1:
             basis = replace(basis, fatigue_notch_factor=1.0)
         try:
-            strength = basis.of(
-                diameter=diameter,
-                tensile_strength=to_si("tensile_strength_MPa", self.tensile_strength_MPa),
-                yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
-                steel=like_steel(to_si("youngs_modulus_GPa", self.youngs_modulus_GPa)),
-            )
+            strength = strength_of(basis, self.own, diameter)
         except NotKnown as why:
             return Notice(why.code)
         return roller_fatigue(bending_stress=stress, strength=strength, rotates=self.roller_rotates)
@@ -200,8 +186,8 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
         if self.fatigue is not None:
             judged = {
                 "basis": self.fatigue.section(),
-                "tensile_strength": to_si("tensile_strength_MPa", self.tensile_strength_MPa),
-                "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
+                "tensile_strength": self.own.get("tensile_strength"),
+                "yield_strength": self.own.get("yield_strength"),
                 "rotates": self.roller_rotates,
             }
         return {
@@ -216,9 +202,7 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
     def judge(self, result: RollerStrength, tired: CycleFatigue | Notice | None) -> dict[str, Any]:
         """Verdict of a result and its fatigue, with checks and fixes on request."""
         limits: dict[str, Any] = {
-            "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
-            "eccentricity": to_si("eccentricity_mm", self.eccentricity_mm),
-            "requirements": self.requirements.section(),
+            each: self.own.get(each) for each in (*_JUDGED_BY, "requirements")
         }
 
         def checked(
@@ -234,14 +218,8 @@ class RollerStrengthRequest(JudgedFields, group="roller"):
             result = roller_strength(**design)
             return checked(design, result, self.tired(result, design["diameter"]))
 
-        verdict = checked(self.design, result, tired)
-        asked = "checks" in self.include
-        judged = judgement(verdict, self, torque=self.output_torque_Nm, checks=asked)
-        if "fixes" in self.include:
-            codes = codes_to_fix(verdict, self.fixes_for)
-            fixes = plain_fixes(design=self._inputs, codes=codes, current=verdict, checks=checks)
-            judged["fixes"] = [fix_values(each, self) for each in fixes]
-        return judged
+        verdict, torque = checked(self.design, result, tired), self.output_torque_Nm
+        return self.judged(verdict, torque=torque, design=self._inputs, checks=checks)
 
 
 class RollerStrengthResponse(JudgedResponse, of=RollerStrength):
@@ -258,10 +236,7 @@ def solve(body: RollerStrengthRequest) -> Values:
     judged = body.judge(result, tired)
     cycle = CycleOut.values(tired) if isinstance(tired, CycleFatigue) else None
     values = RollerStrengthResponse.values(result, run_time_us, fatigue=cycle, **judged)
-    notices = notices_of(tired)
-    if notices:
-        values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
-    return values
+    return warned(values, tired)
 
 
 def figure(body: RollerStrengthRequest, theme: Theme = "light") -> Figure:

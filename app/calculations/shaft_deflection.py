@@ -2,17 +2,11 @@
 
 import math
 from collections.abc import Callable
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, ClassVar
 
-from app.calculations.checks import (
-    JudgedFields,
-    JudgedResponse,
-    codes_to_fix,
-    fix_values,
-    judgement,
-)
-from app.calculations.fatigue import FatigueFields
+from app.calculations.checks import JudgedFields, JudgedResponse
+from app.calculations.fatigue import FatigueFields, strength_of
 from app.calculations.hertz import Material, material_of
 from app.calculations.meshing_load import MeshFields
 from app.model import (
@@ -22,10 +16,9 @@ from app.model import (
     ResponseModel,
     Size,
     Values,
-    notices_of,
     quantity,
     timed,
-    warning,
+    warned,
 )
 from app.rules import Forms
 from app.sources import JOHNSON_1985, KHATETOVSKY_2020, SHIGLEY
@@ -35,12 +28,9 @@ from app.worked import Steps
 from core.checks.check import Verdict
 from core.checks.plain import LINE_MATERIALS, ShaftDesign, shaft_checks
 from core.design.document import not_given
-from core.design.sections import FatigueBasis
 from core.errors import Notice, NotKnown, if_known
 from core.fatigue import FatigueStrength
-from core.fixes.plain import plain_fixes
 from core.hertz import ElasticMaterial
-from core.materials import like_steel
 from core.precession.line_contact import LineContact, line_contact
 from core.precession.meshing_load import MeshingLoad
 from core.precession.shaft import ShaftSection, shaft_diagram
@@ -146,7 +136,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
     @property
     def shaft(self) -> dict[str, Any]:
         """Shaft as the core's arguments."""
-        own = self.to_core()
+        own = self.own
         whole = {name: own[name] for name in _OF_SHAFT}
         match own:
             case {"shaft_sections": sections}:
@@ -155,10 +145,6 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
                 length = own["bearing_distance"] + own["overhang"]
                 one = ShaftSection(length=length, diameter=own["shaft_diameter"])
                 return whole | {"shaft_sections": [one]}
-
-    def solve(self) -> ShaftDeflection:
-        """Reactions and deflection of the shaft."""
-        return self.solve_shaft(self.solve_load())
 
     def solve_all(self) -> tuple[MeshingLoad, ShaftDeflection]:
         """Load of the mesh, and reactions and deflection of the shaft."""
@@ -170,16 +156,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         """Fatigue strength of the shaft, or why it is not known; None if not requested."""
         if self.fatigue is None:
             return None
-        basis: FatigueBasis = self.fatigue.section()
-
-        def strength(diameter: float) -> FatigueStrength:
-            return basis.of(
-                diameter=diameter,
-                tensile_strength=to_si("tensile_strength_MPa", self.tensile_strength_MPa),
-                yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
-                steel=like_steel(to_si("youngs_modulus_GPa", self.youngs_modulus_GPa)),
-            )
-
+        strength = partial(strength_of, self.fatigue.section(), self.own)
         try:
             strength(1.0)
         except NotKnown as why:
@@ -202,7 +179,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             bearing_distance=shaft["bearing_distance"],
             overhang=shaft["overhang"],
             sections=shaft["shaft_sections"],
-            yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
+            yield_strength=self.own.get("yield_strength"),
             fatigue=None if isinstance(fatigue, Notice) else fatigue,
             load_rotates_with_shaft=self.load_rotates_with_shaft,
         )
@@ -214,7 +191,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         roller, mating = self.line_contact.materials()
         return line_contact(
             line_load=load.max_line_load,
-            roller_radius=to_si("radius_mm", self.roller_radius_mm),
+            roller_radius=self.own["roller_radius"],
             mating_radius=to_si("radius_mm", self.line_contact.mating_radius_mm),
             roller_material=roller,
             mating_material=mating,
@@ -232,8 +209,8 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
                 strength=self.strength(found),
                 judged={
                     "basis": self.fatigue and self.fatigue.section(),
-                    "tensile_strength": to_si("tensile_strength_MPa", self.tensile_strength_MPa),
-                    "yield_strength": to_si("yield_strength_MPa", self.yield_strength_MPa),
+                    "tensile_strength": self.own.get("tensile_strength"),
+                    "yield_strength": self.own.get("yield_strength"),
                 },
                 contact=self._touching(load),
             )
@@ -245,7 +222,7 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         if not (contact and lines):
             return None
         return contact, {
-            "roller_radius": to_si("radius_mm", self.roller_radius_mm),
+            "roller_radius": self.own["roller_radius"],
             "mating_radius": to_si("radius_mm", lines.mating_radius_mm),
             "materials": lines.materials(),
         }
@@ -258,11 +235,11 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
         design = ShaftDesign(
             result=result,
             positions=self.positions(),
-            roller_circle_radius=to_si("radius_mm", self.roller_circle_radius_mm),
-            roller_radius=to_si("radius_mm", self.roller_radius_mm),
+            roller_circle_radius=self.own["roller_circle_radius"],
+            roller_radius=self.own["roller_radius"],
             diameters=[each.diameter for each in self.shaft["shaft_sections"]],
             strength=strength or not_given("strength"),
-            yield_strength=to_si("yield_strength_MPa", self.yield_strength_MPa),
+            yield_strength=self.own.get("yield_strength"),
             fatigue_asked=bool(self.fatigue),
             no_fatigue=self.no_fatigue(),
             contact=self.contact(load) or not_given("contact"),
@@ -295,13 +272,8 @@ class ShaftDeflectionRequest(MeshFields, JudgedFields, group="shaft"):
             return body.checks(own, found, body.strength(found))
 
         verdict = self.checks(load, result, strength)
-        asked = "checks" in self.include
-        judged = judgement(verdict, self, torque=self.torque_Nm, checks=asked)
-        if "fixes" in self.include:
-            codes = codes_to_fix(verdict, self.fixes_for)
-            fixes = plain_fixes(design=self._varied(), codes=codes, current=verdict, checks=checks)
-            judged["fixes"] = [fix_values(each, self) for each in fixes]
-        return judged
+        torque, varied = self.torque_Nm, self._varied()
+        return self.judged(verdict, torque=torque, design=varied, checks=checks)
 
     def _varied(self) -> dict[str, float]:
         """Inputs that a fix may change, SI, by core names; of a stepped shaft the diameters, as its
@@ -370,12 +342,8 @@ def solve(body: ShaftDeflectionRequest) -> Values:
         line_contact=contact and LineContactOut.values(contact),
         **judged,
     )
-    notices = notices_of(
-        contact, body.no_fatigue(), strength and if_known(lambda: strength.fatigue)
-    )
-    if notices:
-        values["warnings"] = [*map(warning, notices), *values.get("warnings", ())]
-    return values
+    fatigue = strength and if_known(lambda: strength.fatigue)
+    return warned(values, contact, body.no_fatigue(), fatigue)
 
 
 def figure(body: ShaftDeflectionRequest, theme: Theme = "light") -> Figure:
