@@ -348,6 +348,7 @@ class Screen:
         modulus, limit = self._pair(self.demand.ring_pin)
         stiff = modulus * self.width / COMPLIANCE
         gap, ahead_by = self.demand.shop.modification(self.circle), self.demand.shop.zone / 2
+        gap, asked = (each.astype(np.float32) for each in (gap, torque / stiff))
         pressed, off, load = np.zeros((3, len(self)))
         for place in range(POSITIONS):
             ahead = np.arange(1, (lobes + 1) // 2 + 1) - place / POSITIONS
@@ -359,12 +360,12 @@ class Screen:
             radial = (short - np.cos(angles)) / slope
             order = np.argsort(-lever, axis=1)
             lever, curved, radial = (
-                np.take_along_axis(each, order, axis=1)[self.teeth]
+                np.take_along_axis(each, order, axis=1).astype(np.float32)[self.teeth]
                 for each in (lever, curved, radial)
             )
-            given = touching(lever=lever, gap=gap, asked=torque / stiff)
+            given = touching(lever=lever, gap=gap, asked=asked)
             pressed = np.maximum(pressed, stiff * (given * curved).max(axis=1))
-            one = standing_out(lever=lever, gap=gap, asked=torque / stiff, given=given, by=ahead_by)
+            one = standing_out(lever=lever, gap=gap, asked=asked, given=given, by=ahead_by)
             off = np.maximum(off, stiff * (one * curved).max(axis=1))
             along = stiff * (given * radial).sum(axis=1)
             along -= 4 * torque / (math.pi * self.pin_circle)

@@ -93,11 +93,10 @@ def bought(*, widest: float, most: float) -> tuple[NamedBearing, ...]:
         for each in BEARINGS.values()
         if each.series in SERIES and each.width <= widest and each.outer_diameter <= most
     ]
-
-    def better(one: NamedBearing, other: NamedBearing) -> bool:
-        sizes = one.outer_diameter <= other.outer_diameter and one.width <= other.width
-        more = one.dynamic_rating > other.dynamic_rating
-        return sizes and more and one.bore_diameter >= other.bore_diameter
-
-    best = [each for each in fitting if not any(better(other, each) for other in fitting)]
+    sizes = [(each.outer_diameter, each.width, -each.bore_diameter) for each in fitting]
+    size = np.array(sizes).reshape(-1, 3)
+    rating = np.array([each.dynamic_rating for each in fitting])
+    as_small = (size[:, None] <= size).all(axis=2)
+    better = as_small & (rating[:, None] > rating)  # the first of each pair than the second
+    best = [each for each, worse in zip(fitting, better.any(axis=0), strict=True) if not worse]
     return tuple(sorted(best, key=lambda each: each.dynamic_rating))
