@@ -1,7 +1,7 @@
 """Access to values of a document by JSON pointers (RFC 6901)."""
 
 from collections.abc import Mapping
-from copy import deepcopy
+from copy import copy
 from typing import Any
 
 
@@ -31,12 +31,16 @@ def holder(document: Any, path: list[str]) -> Any:
 
 
 def with_values(document: dict[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
-    """Copy of a document with other values, by JSON pointers."""
-    found = deepcopy(document)
+    """Document with other values, by JSON pointers; it shares the rest with the given one."""
+    found = copy(document)
     for pointer, value in values.items():
-        path = keys(pointer)
-        place = holder(found, path)
-        place[int(path[-1]) if isinstance(place, list) else path[-1]] = value
+        *path, last = keys(pointer)
+        place: Any = found
+        for key in path:
+            at = int(key) if isinstance(place, list) else key
+            place[at] = copy(place[at])
+            place = place[at]
+        place[int(last) if isinstance(place, list) else last] = value
     return found
 
 

@@ -73,7 +73,7 @@ class Settings(BaseSettings):
     """largest number of crank angles of a curve"""
     max_batch: int = Field(1_000, ge=1, le=1_000)
     """largest number of requests in one batch"""
-    max_sweep_points: int = Field(10_000, ge=1, le=1_000_000)
+    max_sweep_points: int = Field(100_000, ge=1, le=1_000_000)
     """largest number of points of a sweep"""
     max_seconds: Seconds = 10.0
     """longest calculation, without waiting for a process, s"""

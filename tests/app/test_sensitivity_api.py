@@ -193,7 +193,7 @@ async def test_a_governing_check_that_changes_is_named_on_both_sides(api: Any) -
 
 async def test_pins_without_sleeves_follow_the_radius_of_the_contact(api: Any) -> None:
     for diameter, follows in ((16.0, ["/pin/diameter_mm"]), (15.0, [])):
-        design = with_values(CYCLOID, {"/pin/diameter_mm": diameter})
+        design = deepcopy(with_values(CYCLOID, {"/pin/diameter_mm": diameter}))
         axis = {"pointer": PIN, "values": [7.5, 8.0]}
         body = {"calculation": "crank-planetary", "input": design}
         stress = {"outputs": ["/checks/pin_static/value"]}
