@@ -119,12 +119,12 @@ export function chose(state, id, option, time) {
   return read({ ...state, refusal: null }, recorded(state.history, next, undefined, time));
 }
 
-function seeds({ typed: { texts }, reading: { filled }, about: { model, calculator, catalogues } }, choice, option) {
+function seeds({ typed: { texts }, reading: { filled }, shown, about: { model, calculator, catalogues } }, choice, option) {
   const { fields } = choice.options.find(({ id }) => id === option);
   if (!fields.every((field) => ["", textIn(field, field.default)].includes(texts[field.path]))) return {};
   const values = choice.auto
     ? fromCatalogue(fields, choice.id, option, catalogues[choice.id], texts[choice.id] || texts[calculator.alike?.[choice.id]])
-    : calculator.seeds[`${choice.id}.${option}`]?.(filled) ?? {};
+    : calculator.seeds[`${choice.id}.${option}`]?.(filled, shown?.answer) ?? {};
   return Object.fromEntries(Object.entries(values)
     .filter(([, value]) => typeof value !== "number" || Number.isFinite(value))
     .map(([path, value]) => [path, textIn(model.fields.get(path), value)]));

@@ -74,6 +74,21 @@ class DesignHertzOut(HertzResponse):
     )
 
 
+class DesignLossesOut(OutputEfficiencyResponse):
+    """Friction of the output pins, and what it makes of the whole reducer."""
+
+    total_efficiency: Maybe[float] = result(
+        "Efficiency of pins and teeth, of the pins alone if friction of the teeth is not given; "
+        "bearings and seals are left out.",
+        symbol="η",
+    )
+    input_torque_Nm: Maybe[float] = result(
+        "Torque at the input that the output torque needs at this efficiency; absent if ring and "
+        "pins are both outputs.",
+        symbol="T₁",
+    )
+
+
 class EnvelopeOut(ResponseModel, of=Envelope):
     """Outer sizes of a reducer, without motor, bearing of the output and seals."""
 
@@ -138,8 +153,9 @@ class CrankPlanetaryResponse(JudgedResponse, DocumentResponse):
         "Answer of `/pin-strength` with the deflection: stresses under the torque times the "
         "application factor, static safety under the peak torque."
     )
-    output_efficiency: Maybe[OutputEfficiencyResponse] = result(
-        "Answer of `/output-efficiency` under the torque without the application factor."
+    output_efficiency: Maybe[DesignLossesOut] = result(
+        "Answer of `/output-efficiency` under the torque without the application factor, and the "
+        "efficiency of pins and teeth together."
     )
     ring_mesh: Maybe[DesignMeshOut | DesignPairOut] = result(
         "Answer of `/ring-mesh`. Cycloid discs: under the torque without the application "

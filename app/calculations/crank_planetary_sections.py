@@ -20,6 +20,7 @@ from app.calculations.combined import combined
 from app.calculations.crank_planetary_answer import (
     ColdYieldOut,
     DesignHertzOut,
+    DesignLossesOut,
     EnvelopeOut,
     LoadSharingOut,
     MassOut,
@@ -38,7 +39,6 @@ from app.calculations.ideal_forces import (
 from app.calculations.load_sharing_answer import RealCyclogramOut
 from app.calculations.mechanism import MAX_PAIRS, FitOut
 from app.calculations.members_answer import MembersOut, at_output
-from app.calculations.output_efficiency import OutputEfficiencyResponse
 from app.calculations.pin_rollers_answer import RollersOut
 from app.calculations.pin_strength import PinStrengthResponse
 from app.calculations.reducer_fixes import fixes_of
@@ -497,6 +497,19 @@ def _by_forces(answer: type[ResponseModel], found: Callable[[Results], Any]) -> 
     return answered
 
 
+def _losses(body: CrankPlanetaryRequest) -> Values:
+    """Friction of the pins, with efficiency and input torque of the whole if they are known."""
+    losses = body.results.losses
+    pins, took_us = timed(lambda: losses.pins)
+    return DesignLossesOut.values(
+        (pins, None),
+        took_us,
+        forces=body.forces,
+        total_efficiency=if_known(lambda: losses.total_efficiency),
+        input_torque_Nm=if_known(lambda: losses.input_torque),
+    )
+
+
 def _geometry(body: CrankPlanetaryRequest) -> Values:
     crank_angle = to_si("crank_angle_deg", body.crank_angle_deg)
     there = partial(pins_in_holes, results=body.results, crank_angle=crank_angle)
@@ -531,9 +544,7 @@ ANSWERS: dict[Section, Answer] = {
     "ring_mesh": _ring_mesh,
     "ring_drawing": _drawing,
     "pin_strength": _by_forces(PinStrengthResponse, lambda found: found.pin_strength),
-    "output_efficiency": _by_forces(
-        OutputEfficiencyResponse, lambda found: (found.losses.pins, None)
-    ),
+    "output_efficiency": _losses,
     "satellite_bearing": _by_forces(SatelliteBearingResponse, lambda found: found.crank.bearings),
     "crankshaft": _by_forces(CrankshaftResponse, lambda found: found.crank.shaft),
     "rollers": _by_forces(RollersOut, lambda found: found.rollers),

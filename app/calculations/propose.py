@@ -404,7 +404,7 @@ class _Found:
             "lasting_torque_Nm": soft and soft.quarter,
             "backlash_arcmin": from_si("backlash_arcmin", pieces and pieces.backlash),
             "ring_utilisation": pieces and found.ring_utilisation,
-            "efficiency": if_known(lambda: float(results.losses.efficiency)),
+            "efficiency": if_known(lambda: float(results.losses.total_efficiency)),
         }
         return {
             "design": in_json(found.document),

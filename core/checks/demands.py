@@ -178,7 +178,7 @@ def ring_transmission_error(kind: Kind, design: Design, results: Results) -> Che
 )
 def efficiency(kind: Kind, design: Design, results: Results) -> Measure:
     """Efficiency by losses of pins, and of teeth of known friction; losses use the limit."""
-    value, asked = results.losses.efficiency, design.requirements.min_efficiency
+    value, asked = results.losses.total_efficiency, design.requirements.min_efficiency
     toothed = design.gear and design.gear.kind != "none"
     if toothed and design.gear.friction_coefficient is None and value >= (asked or 1.0):
         raise Unjudged("ring_friction_unknown", "gear.friction_coefficient", value=value)

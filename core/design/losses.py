@@ -54,13 +54,23 @@ class LossResults:
         return named(self.design, "pin", self._of_pins)
 
     @property
-    def efficiency(self) -> float:
+    def total_efficiency(self) -> float:
         """Efficiency of the output, and of the ring too if friction on its pins is given."""
         output, gear = float(self.pins.efficiency), self.design.gear
         if not gear or gear.friction_coefficient is None:
             return output
         lost, power = self.ring.loss.mean_loss, self.output.member_loads.output_power
-        return 1 / (1 / output + lost / power)
+        return 1 / (1 / output + lost / power) if lost else output
+
+    @property
+    def input_torque(self) -> float | None:
+        """Torque at the input that the output torque needs with these losses, N*m; None if ring and
+        pins are both outputs.
+        """
+        design = self.design
+        if design.members.output_ratio is None:
+            return None
+        return design.output_torque / (design.members.torque_ratio * self.total_efficiency)
 
     @property
     def _rubbing(self) -> BarePins | Sleeves:

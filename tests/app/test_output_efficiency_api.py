@@ -1,15 +1,17 @@
 """Efficiency of the output mechanism over REST."""
 
+import math
+
 import pytest
 
-from app.examples import REQUESTS
+from app.examples import EXAMPLES, REQUESTS
 from core.precision import CONVERGED, EXACT
 from tests.inputs.bodies import changed
 
 pytestmark = pytest.mark.anyio
 
 PATH = "output-efficiency"
-SLEEVE = {"sleeve": True}
+CYCLOID = next(each["input"] for each in EXAMPLES if each["id"] == "cycloid")
 
 
 async def test_curves_only_where_they_are_asked(api):
@@ -22,6 +24,25 @@ async def test_curves_only_where_they_are_asked(api):
         power = answer["output_power_W"]
         assert efficiency == pytest.approx(power / (power + loss), rel=CONVERGED)
     assert "curves" not in (await api.post(PATH, json=REQUESTS[PATH])).json()
+
+
+@pytest.mark.parametrize("output", ["pins", "ring"])
+async def test_a_whole_reducer_takes_what_it_gives_and_what_it_loses(api, output):
+    """Power at the input is that at the output and the losses of pins and teeth, where these are
+    known.
+    """
+    body = changed(CYCLOID, mechanism={"output": output})
+    asked = body | {"include": ["output_efficiency", "ring_mesh"]}
+    answer = (await api.post("crank-planetary", json=asked)).json()
+    losses, teeth = answer["output_efficiency"], answer["ring_mesh"]["efficiency"]
+    speed = body["load"]["input_speed_rpm"] * math.pi / 30
+    lost = losses["mean_loss_W"] + teeth["mean_loss_W"]
+    balance = losses["output_power_W"] + lost
+    assert losses["input_torque_Nm"] * speed == pytest.approx(balance, rel=CONVERGED)
+    assert losses["total_efficiency"] == pytest.approx(1 - lost / balance, rel=CONVERGED)
+    del asked["gear"]["friction_coefficient"]
+    pins = (await api.post("crank-planetary", json=asked)).json()["output_efficiency"]
+    assert pins["total_efficiency"] == pytest.approx(losses["efficiency"], rel=CONVERGED)
 
 
 async def test_wear_is_that_over_the_required_life(api):

@@ -125,6 +125,10 @@ test("an option starts from the same design", () => {
   assert.deepEqual(calculator.seeds["ratio.teeth"]({ mechanism: {} }), {});
   const torque = calculator.seeds["torque.input"](input);
   assert.equal(torque["load.input_torque_Nm"] * 20 * torque["load.efficiency"], 50);
+  const known = { output_efficiency: { total_efficiency: 0.80004 } };
+  assert.deepEqual(calculator.seeds["torque.input"](input, known), { "load.efficiency": 0.8, "load.input_torque_Nm": 3.125 });
+  const ofRing = { ...input, mechanism: { ...input.mechanism, output: "ring" } };
+  assert.equal(calculator.seeds["torque.input"](ofRing, known)["load.input_torque_Nm"], 2.97619);
 });
 
 test("the sizes that the theory gives", () => {
@@ -214,6 +218,21 @@ test("tables are of the forces that are solved, and these are asked for only whe
   assert.deepEqual([table.title, table.rows], ["Real force of each pair", [[0, 9]]]);
   assert.deepEqual(calculator.drawing.curves(answer), [{ name: "1.1", x: [0], y: [9] }]);
   assert.equal(calculator.drawing.start(answer), 9);
+});
+
+test("what the input needs stands beside what is typed there", () => {
+  const losses = { efficiency: 0.9, total_efficiency: 0.736, input_torque_Nm: 0.5434, accuracy: { relative_error: 1e-9 } };
+  const besides = { gear: { friction_coefficient: 0.2 } };
+  const cellOf = (answer, input) => calculator.verdict(answer, { input })[3];
+  assert.equal(cellOf({}, {}), undefined);
+  const { value, note, level } = cellOf({ output_efficiency: losses }, { besides });
+  assert.deepEqual([value, note, level], ["0.5434\u00a0N·m", "efficiency 0.736, pins and teeth only", false]);
+  assert.equal(cellOf({ output_efficiency: losses }, {}).note, "efficiency 0.736, pins only");
+  const typed = { load: { input_torque_Nm: 0.4, efficiency: 1 } };
+  const more = cellOf({ output_efficiency: losses }, { ...typed, besides });
+  assert.deepEqual([more.note, more.level], ["more than the 0.4\u00a0N·m typed; efficiency 0.736, pins and teeth only", "warning"]);
+  assert.deepEqual(cellOf({}, typed), { label: "Needed at the input", value: "0.4\u00a0N·m", note: "as typed, efficiency 1; losses are not known" });
+  assert.equal(cellOf({ output_efficiency: { efficiency: 0.9 } }, {}), undefined);
 });
 
 test("the mass stands beside the other numbers once it is known", () => {

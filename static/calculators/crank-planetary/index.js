@@ -113,6 +113,23 @@ function pressureCell(section, { requirements }) {
   };
 }
 
+/** The torque that the input needs with the losses that are known, beside the one typed there; without them that one. */
+function inputCells({ output_efficiency: losses }, { load = {}, besides = {} }) {
+  const { input_torque_Nm: typed, efficiency } = load;
+  const label = message("verdict.input");
+  const typedText = () => formatQuantity(typed, "N·m");
+  if (losses?.input_torque_Nm === undefined) {
+    return typed === undefined ? [] : [{ label, value: typedText(), note: message("verdict.inputTyped", { efficiency: formatNumber(efficiency, 3) }) }];
+  }
+  const teeth = besides.gear?.friction_coefficient !== undefined;
+  const more = losses.input_torque_Nm > 1.01 * typed;
+  const note = message(teeth ? "verdict.inputOf" : "verdict.inputOfPins", { efficiency: formatNumber(losses.total_efficiency, 3) });
+  return [{
+    ...quantityCell(losses, "input_torque_Nm", more ? `${message("verdict.inputMore", { typed: typedText() })}; ${note}` : note, label),
+    level: more && "warning",
+  }];
+}
+
 /** An answer as it is shown: no safety of what cannot be built. */
 function withoutFalseSafety(answer) {
   if (!answer.hertz || !answer.checks?.some(({ impossible }) => impossible)) return answer;
@@ -239,10 +256,11 @@ export default {
     "cranks.list": ({ mechanism }) => ({ "mechanism.crank_angles_deg": cranksOf(mechanism).map(tidy) }),
     "ratio.teeth": ({ mechanism }) => teethOf(ratioOf(mechanism)),
     "ratio.ring": ({ mechanism }) => ({ "mechanism.output": "ring", "mechanism.output_ratio": tidy(ratioOf(mechanism) + 1) }),
-    "torque.input": ({ mechanism, load }) => ({
-      "load.efficiency": 1,
-      "load.input_torque_Nm": tidy(load?.output_torque_Nm / ratioOf(mechanism)),
-    }),
+    "torque.input": ({ mechanism, load }, { output_efficiency: losses } = {}) => {
+      const efficiency = Number((losses?.total_efficiency ?? 1).toPrecision(3));
+      const ratio = ratioOf(mechanism) + (mechanism.output === "ring" ? 1 : 0);
+      return { "load.efficiency": efficiency, "load.input_torque_Nm": Number((load?.output_torque_Nm / (ratio * efficiency)).toPrecision(6)) };
+    },
   },
 
   /** The sections in the order in which each needs the one before. */
@@ -291,6 +309,7 @@ export default {
       cell(message("verdict.peak"), answer[judged], (section) => peakCell(section, input, judged)),
       cell(message("figure.driving"), answer.cyclogram, (section) => pairsCell(section, answer.load_sharing)),
       cell(quantityTitle("max_pressure_MPa"), answer.hertz, (section) => pressureCell(section, input)),
+      ...inputCells(answer, input),
       ...(answer.mass?.mass_kg === undefined ? [] : [quantityCell(answer.mass, "mass_kg", message("mass.of"))]),
     ];
   },
