@@ -39,18 +39,21 @@ export function symbolMarkup(symbol) {
   return html`<var class="symbol">${parts.map((part, i) => (i % 2 ? html`<sub>${part}</sub>` : part))}</var>`;
 }
 
-function cell(value, unit) {
-  return typeof value === "number" ? formatNumber(shownValue(value, unit)) : value;
+/** A cell of a table; where its column is shown to some digits, it has all for who points at it. */
+function cell(value, { unit, digits }) {
+  if (typeof value !== "number") return html`<td>${value}</td>`;
+  const [all, shown] = [ALL, digits ?? ALL].map((count) => formatNumber(shownValue(value, unit), count));
+  return html`<td ${digits && html`title="${all}"`}>${shown}</td>`;
 }
 
-/** `{ title, columns: [{ title, unit }], rows }`, values in canonical units, as a table with a caption. */
+/** `{ title, columns: [{ title, unit, digits? }], rows }`, values in canonical units, as a table with a caption. */
 export function tableMarkup({ title, columns, rows }) {
   return html`
     <table class="data">
       <caption>${title}</caption>
       <thead><tr>${columns.map((column) => html`
         <th scope="col">${column.title}${column.unit && `, ${shownUnit(column.unit)}`}</th>`)}</tr></thead>
-      <tbody>${rows.map((row) => html`<tr>${row.map((value, i) => html`<td>${cell(value, columns[i].unit)}</td>`)}</tr>`)}</tbody>
+      <tbody>${rows.map((row) => html`<tr>${row.map((value, i) => cell(value, columns[i]))}</tr>`)}</tbody>
     </table>`;
 }
 

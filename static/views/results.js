@@ -57,7 +57,7 @@ function records([name, value], elsewhere) {
   const columns = [...new Set(value.flatMap(Object.keys))].filter((column) => !elsewhere.includes(column));
   return tableMarkup({
     title: quantityTitle(name),
-    columns: columns.map((column) => ({ title: quantityTitle(column), unit: unitOf(column) })),
+    columns: columns.map((column) => ({ title: quantityTitle(column), unit: unitOf(column), digits: digitsOf(column) })),
     rows: value.map((record) => columns.map((column) =>
       (typeof record[column] === "number" ? record[column] : asText(record[column], digitsOf(column), unitOf(column), column) ?? "–"))),
   });

@@ -72,6 +72,9 @@ for (const calculator of CALCULATORS) {
     for (const [id, section] of sections) {
       const markup = valuesMarkup(id, section, own.elsewhere, new Map()).toString();
       assert.doesNotMatch(markup, /undefined|NaN|\[object/, id);
+      assert.deepEqual(markup.match(/>[^<]*\d\.0*[1-9]\d{4,}[^<]*</g) ?? [], [], `${id}: digits beyond those that are shown`);
+      const titles = [...markup.matchAll(/data-name="[^"]*"><th scope="row">([^<]*)/g)].map(([, title]) => title);
+      assert.deepEqual(titles.filter((title, i) => titles.indexOf(title) !== i), [], `${id}: two results of one name`);
     }
   });
 }
