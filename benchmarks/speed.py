@@ -25,6 +25,7 @@ from core.design.document import Design, changed
 from core.design.results import Results
 from core.design.sections import Load, MechanismSection
 from core.fatigue import size_factor, utilisation
+from core.fixes.changes import Search
 from core.fixes.crank import crank_fixes
 from core.hertz import ElasticMaterial, hertz
 from core.material_table import MATERIALS
@@ -90,9 +91,8 @@ def _checks() -> object:
 def _fixes() -> object:
     """All six fixes of the governing check."""
     results = Results(changed(REF, {"load.output_torque": 1500.0}))
-    return crank_fixes(
-        results=results, codes=["contact_pressure_hole"], current=crank_checks(results)
-    )
+    search = Search(results, crank_checks(results))
+    return crank_fixes(search=search, codes=["contact_pressure_hole"])
 
 
 MECHANISM = _mechanism()

@@ -160,6 +160,15 @@ def is_known(calculate: Callable[[], object]) -> bool:
     return True
 
 
+def known_equal(*calculations: Callable[[], object]) -> bool:
+    """True if the results of two calculations are known and equal."""
+    try:
+        one, other = (calculate() for calculate in calculations)
+    except CalculationError:
+        return False
+    return one == other
+
+
 METHODS = {
     "approximation": "approximation (2018, eq. 5)",
     "arcs_zoomed": "lags of each pair in closed form, extremes over the turn narrowed",

@@ -101,7 +101,7 @@ export function createAsking({ store, client, designs }) {
     if (isMended(calculator, shown.answer)) {
       const { answer = {}, problem, superseded } = await look();
       if (superseded) return;
-      store.apply(mended, shown, [answer.combined ?? [], judgedOf(calculator, answer)?.fixes ?? []].flat(), problem ? problem.kind === "too-long" || null : false);
+      store.apply(mended, shown, [answer.combined ?? [], judgedOf(calculator, answer)?.fixes ?? []].flat(), problem ? problem.kind === "too-long" || null : Boolean(answer.untried));
     }
     const include = usuallyOf(calculator, shown.answer);
     if (include.length === 0) return;

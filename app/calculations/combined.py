@@ -1,6 +1,7 @@
 """Several inputs of a reducer changed together, if no single change lets it pass."""
 
 from collections import ChainMap
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -11,6 +12,7 @@ from app.calculations.reducer_fixes import fixes_of, reposted
 from app.model import ResponseModel, Values
 from core.checks.check import Outcome, Verdict
 from core.checks.reserve import crank_verdict
+from core.fixes.changes import Search
 from core.fixes.crank import NAMED
 from core.fixes.fix import Fix
 
@@ -48,7 +50,7 @@ class CombinedOut(ResponseModel):
     verdict: Outcome = Field(description="Verdict of the whole design with all changes.")
 
 
-def combined(request: Any, verdict: Verdict, fixes: list[Fix]) -> Values | None:
+def combined(request: Any, search: Search, fixes: list[Fix]) -> Values | None:
     """Values of `CombinedOut`, or None if one change is enough or some check still fails at the
     end.
 
@@ -57,14 +59,14 @@ def combined(request: Any, verdict: Verdict, fixes: list[Fix]) -> Values | None:
     governing check, or more.
     """
     steps: list[Values] = []
-    kept = set(KEPT)
+    kept, verdict = set(KEPT), search.current
     reached: str = verdict.verdict
     while reached in ("fail", "marginal") and len(steps) < MOST:
         if steps:  # the given design is judged already
             request = reposted(request, steps[-1]["sets"])
             verdict = crank_verdict(request.results)
-            codes = codes_to_fix(verdict, "governing")
-            fixes = fixes_of(request, codes, verdict)
+            search = replace(search, results=request.results, current=verdict)
+            fixes = fixes_of(request, codes_to_fix(verdict, "governing"), search)
         cures = [
             each
             for each in fixes

@@ -194,6 +194,10 @@ class CrankPlanetaryResponse(JudgedResponse, DocumentResponse):
         "Changes of several inputs after which no check fails, if no change of a single input "
         "is enough."
     )
+    untried: Maybe[list[str]] = Field(
+        description="JSON pointers to inputs that `fixes` and `combined` did not try, as the time "
+        "of the request was nearly over."
+    )
     usual_fit: Maybe[UsualFitOut] = result(
         "Design with a usual clearance, if the clearance is not known, or 0, and such a fit "
         "exists for the sizes."

@@ -1,11 +1,12 @@
 """Request for a crank-planetary reducer: design, sections of the answer and their needs."""
 
 import math
+import time
 from collections.abc import Callable, Iterator
 from functools import cached_property, partial
 from typing import Any, ClassVar, Literal, Self, get_args
 
-from pydantic import Field, model_validator
+from pydantic import Field, PrivateAttr, model_validator
 
 from app.calculations.both_meshes import RingTurnOut
 from app.calculations.checks import (
@@ -14,6 +15,7 @@ from app.calculations.checks import (
     fix_values,
     judgement,
     lacking,
+    places_of,
     usual_values,
 )
 from app.calculations.combined import combined
@@ -54,6 +56,7 @@ from app.model import (
     ResponseModel,
     Values,
     notices_of,
+    pointer,
     present,
     quantity,
     timed,
@@ -79,6 +82,7 @@ from core.design.mass import mass
 from core.design.real_forces import RealForces
 from core.design.results import MOST_IN_SERIES, MOST_PIN_PAIRS, Results
 from core.errors import CalculationError, Notice, if_known, is_known
+from core.fixes.changes import Search
 from core.fixes.crank import possible
 from core.fixes.fix import Fix
 from core.materials import NOT_LISTED
@@ -168,6 +172,10 @@ JUDGED = frozenset(("checks", "largest_torque", "fixes", "combined"))
 
 SEARCHED = frozenset(("fixes", "combined", "usual_fit", "usual_modification"))
 """Sections that search among designs."""
+
+SHARE = 0.6
+"""Part of the time of a request after which the search for fixes ends: what was found is then
+judged and answered."""
 
 BUILT = frozenset(("envelope", "mass"))
 """Sections that follow from sizes of housing and carrier."""
@@ -343,11 +351,18 @@ class CrankPlanetaryRequest(StrengthFields, group="mechanism"):
         solved = section == "geometry" and self.results.solved
         return (section in BY_FORCES or solved) and self.unforced
 
+    _ends: float = PrivateAttr(default=math.inf)
+
     def refuse_beyond(self, settings: Settings) -> None:
         """Refuse inputs beyond the operator's limits, and lists that do not fit the mechanism."""
+        self._ends = time.monotonic() + SHARE * settings.max_seconds
         if self.load:
             self.load.refuse_beyond(settings)
         super().refuse_beyond(settings)
+
+    def late(self) -> bool:
+        """True if so little of the time is left that the search for fixes has to end."""
+        return time.monotonic() > self._ends
 
     @cached_property
     def verdict(self) -> Verdict:
@@ -560,10 +575,9 @@ ANSWERS: dict[Section, Answer] = {
 def _judged(body: CrankPlanetaryRequest) -> Values:
     """Verdict, with checks and fixes of one or several inputs on request."""
     found = body.verdict
-    fixes: list[Fix] = []
+    fixes, search = list[Fix](), Search(body.results, found, body.late)
     if {"fixes", "combined"} & {*body.sections}:
-        codes = codes_to_fix(found, body.fixes_for)
-        fixes = fixes_of(body, codes, found)
+        fixes = fixes_of(body, codes_to_fix(found, body.fixes_for), search)
     values: Values = {}
     judged = partial(cold_yield, results=body.results, found=found)
     if body.design.plastics and (cold := if_known(judged)):
@@ -578,7 +592,10 @@ def _judged(body: CrankPlanetaryRequest) -> Values:
     if "fixes" in body.sections:
         values["fixes"] = [fix_values(each, body) for each in fixes if possible(each)]
     if "combined" in body.sections:
-        values["combined"] = combined(body, found, fixes)
+        values["combined"] = combined(body, search, fixes)
+    if search.untried:
+        places = [each for name in search.untried for each in places_of(name, body)]
+        values["untried"] = [*dict.fromkeys(map(pointer, places))]
     return present(values)
 
 

@@ -9,10 +9,10 @@ from app.calculations.checks import places_of, value_in
 from app.model import pointer
 from app.pointers import with_values
 from core.bearings import Rating, exchanges, named_bearing
-from core.checks.check import Check, Verdict
-from core.checks.reserve import crank_verdict
+from core.checks.check import Check
 from core.errors import CalculationError
-from core.fixes.crank import CHOICES, NAMED, aimed, crank_fixes, possible
+from core.fixes.changes import Late, Search
+from core.fixes.crank import CHOICES, NAMED, crank_fixes, possible
 from core.fixes.fix import Fix, aim, beyond, in_order, side_effects
 from core.material_table import MATERIALS
 from core.materials import PLASTICS
@@ -25,16 +25,17 @@ RATED: dict[str, Rating] = {"life": "dynamic_rating", "static": "static_rating"}
 """Load rating that decides a check of a bearing, by the end of its code."""
 
 
-def fixes_of(request: Any, codes: list[str], current: Verdict) -> list[Fix]:
+def fixes_of(request: Any, codes: list[str], search: Search) -> list[Fix]:
     """Fixes of the checks `codes` of a reducer, the best first."""
-    sizes = crank_fixes(results=request.results, codes=codes, current=current)
-    chosen = (
-        _chosen(request, current[code], variable, current)
-        for code in codes
-        for variable in current[code].kind.fixes
-        if variable in CHOICES
-    )
-    return in_order([*sizes, *filter(None, chosen)])
+    fixes = crank_fixes(search=search, codes=codes)
+    for check in map(search.current.__getitem__, codes):
+        for variable in (each for each in check.kind.fixes if each in CHOICES):
+            try:
+                if chosen := _chosen(request, check, variable, search):
+                    fixes.append(chosen)
+            except Late:
+                search.untried[variable] = None
+    return in_order(fixes)
 
 
 def reposted(request: Any, sets: dict[str, Any]) -> Any:
@@ -43,7 +44,7 @@ def reposted(request: Any, sets: dict[str, Any]) -> Any:
     return type(request).model_validate(with_values(document, sets))
 
 
-def _chosen(request: Any, check: Check, variable: str, current: Verdict) -> Fix | None:
+def _chosen(request: Any, check: Check, variable: str, search: Search) -> Fix | None:
     """First other name of an input that cures a check: the weakest material, the nearest fit, the
     smallest bearing.
     """
@@ -58,12 +59,12 @@ def _chosen(request: Any, check: Check, variable: str, current: Verdict) -> Fix 
         except ValidationError:  # another field states the present material of the discs too
             continue
         try:
-            if not beyond(aimed(design=other.design, check=check)) >= 0:
+            if not beyond(search.aimed(design=other.design, check=check)) >= 0:
                 continue
-            found = crank_verdict(other.results)
+            found = search.verdict(other.design)
         except CalculationError:  # another class makes no design of it
             continue
-        effects = side_effects(code=check.code, current=current, found=found)
+        effects = side_effects(code=check.code, current=search.current, found=found)
         outcome = found.verdict
         fix = Fix(check.code, variable, before, after, None, False, "solved", outcome, effects)
         if found[check.code].status == "pass" and possible(fix):

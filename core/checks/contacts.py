@@ -366,7 +366,7 @@ def ring_pieces(kind: Kind, design: Design, results: Results) -> Check:
     for body in IN_RING:
         _limit_of(design.lasting_teeth[body], design.teeth_path(body), value=pressure)
     least = min((_ring_limit(design, body) for body in IN_RING), key=lambda each: each["limit"])
-    return kind.judged(pressure, warning="pin_stands_out", **least)
+    return kind.judged(pressure, warning="pin_stands_out", solved=True, **least)
 
 
 def _ring_static(body: RingBody) -> Kind:

@@ -1,7 +1,7 @@
 """Interface of the forces on the output pins that results of ring, crank and friction use."""
 
 from collections.abc import Callable
-from typing import Protocol
+from typing import Any, Protocol
 
 from core.design.document import Design
 from core.output.mechanism import MemberLoads
@@ -16,6 +16,12 @@ class OutputForces(Protocol):
     design: Design
     solved: bool
     bounded: bool
+    like: Any
+    """Results of another design, whose forces need not be solved again, or None."""
+
+    @property
+    def alike(self) -> Any:
+        """`like` if its output mechanism is equal, so that forces are equal; else None."""
 
     @property
     def in_series(self) -> bool:

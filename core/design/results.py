@@ -17,7 +17,16 @@ from core.design.real_forces import RealForces
 from core.design.refusals import named
 from core.design.ring_results import RingResults
 from core.design.sections import DesignPin
-from core.errors import InvalidInput, Notice, NotKnown, derived, if_known, is_known, required
+from core.errors import (
+    InvalidInput,
+    Notice,
+    NotKnown,
+    derived,
+    if_known,
+    is_known,
+    known_equal,
+    required,
+)
 from core.hertz import Body, HertzContact, Spread, first_yield, force_factor, hertz, shakedown
 from core.output.contact_force import ContactForce, contact_force
 from core.output.edge_load import EdgeLoad, SlopingContacts
@@ -77,12 +86,20 @@ class Results:
 
     `equal` ignores the bending of pins, so that satellites of perfect parts share the load equally,
     as the papers assume. Without `bounded` forces of any number of pairs are solved, as the caller
-    has limits of its own.
+    has limits of its own. Forces of results that are `like` these are not solved again where the
+    meshes are the same.
     """
 
-    def __init__(self, design: Design, *, equal: bool = False, bounded: bool = True) -> None:
+    def __init__(
+        self,
+        design: Design,
+        *,
+        equal: bool = False,
+        bounded: bool = True,
+        like: "Results | None" = None,
+    ) -> None:
         self.design = design
-        self.shared_equally, self.bounded = equal, bounded
+        self.shared_equally, self.bounded, self.like = equal, bounded, like
         self._others: dict[float, Results] = {}  # under other torques
         self.solved = design.as_made or (design.bends and not equal)
         """True if checks judge forces solved over the turn, with clearance, deviations, elastic
@@ -138,9 +155,7 @@ class Results:
     @cached_property
     def equal(self) -> "Results":
         """Results with the load shared equally between satellites, with an unchanged ring mesh."""
-        found = Results(self.design, equal=True)
-        found.ring.turn = self.ring.turn
-        return found
+        return Results(self.design, equal=True, like=self)
 
     @property
     def two_ways(self) -> bool:
@@ -152,7 +167,7 @@ class Results:
         if factor not in self._others:
             torque, peak = self.design.output_torque * factor, self.design.load.peak_torque
             more = {"load.output_torque": torque, "load.peak_torque": peak and peak * factor}
-            made = Results(changed(self.design, more), equal=self.shared_equally)
+            made = Results(changed(self.design, more), equal=self.shared_equally, like=self)
             self._others[factor] = made
         return self._others[factor]
 
@@ -161,11 +176,8 @@ class Results:
         """Results with each assumed value at the mild end of its range, by its path."""
         found = {}
         for path, value in self.design.mild.items():
-            made = Results(changed(self.design, {path: value}), equal=self.shared_equally)
-            if path == "requirements.life":
-                made.turn, made.over_turn, made.made = self.turn, self.over_turn, self.made
-                made.ring.turn = self.ring.turn
-            found[path] = made
+            made = changed(self.design, {path: value})
+            found[path] = Results(made, equal=self.shared_equally, like=self)
         return found
 
     @cached_property
@@ -320,8 +332,18 @@ class Results:
         return self.loading if self.solved else self.contact_force
 
     @cached_property
+    def alike(self) -> "Results | None":
+        """Results of another design with an equal output mechanism, so that forces are equal."""
+        like = self.like
+        if not like or self.in_series != like.in_series:
+            return None
+        return like if known_equal(lambda: self.stage, lambda: like.stage) else None
+
+    @cached_property
     def turn(self) -> Callable[[float], Turn]:
         """Mechanism solved over the turn, as a function of the torque, N*m, negative in reverse."""
+        if self.alike:
+            return self.alike.turn
         if self.in_series:
             self.refuse_misfits()
             return cache(lambda torque: SeriesTurn(self.series, torque))
@@ -330,6 +352,8 @@ class Results:
     @cached_property
     def over_turn(self) -> Callable[[float], OverTurn]:
         """Extremes over the turn, as a function of the torque, N*m, negative in reverse."""
+        if self.alike:
+            return self.alike.over_turn
         kind = SeriesOverTurn if self.in_series else OverTurn
         return cache(lambda torque: kind(self.turn(torque)))  # type: ignore[arg-type]
 
@@ -344,6 +368,8 @@ class Results:
     @derived
     def made(self) -> Made:
         """Solved forces on pins and satellites over the turn, as a function of the torque, N*m."""
+        if self.alike:
+            return self.alike.made
         if self.in_series:
             return cache(lambda torque: sampled_in_series(self.turn(torque)))  # type: ignore[arg-type]
         return cache(lambda torque: sampled(self.turn(torque)))

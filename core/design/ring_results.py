@@ -13,7 +13,7 @@ from core.design.pin_fatigue import fatigue_of
 from core.design.refusals import named
 from core.design.ring import InvoluteRing, RingBody
 from core.design.sections import DesignPin
-from core.errors import InvalidInput, NotKnown, derived, if_known, required
+from core.errors import InvalidInput, NotKnown, derived, if_known, known_equal, required
 from core.hertz import Body, first_yield
 from core.numerics.extremes import first_largest
 from core.output.elasticity import RIGID_SUPPORT
@@ -175,8 +175,18 @@ class RingResults:
             raise NotKnown(refusal.code, refusal=refusal) from refusal
 
     @cached_property
+    def alike(self) -> "RingResults | None":
+        """Results about the ring of another design with an equal mesh, so that forces are equal."""
+        if self.output.in_series:
+            return getattr(self.output.alike, "ring", None)
+        like: RingResults | None = getattr(self.output.like, "ring", None)
+        return like if like and known_equal(lambda: self.mesh, lambda: like.mesh) else None
+
+    @cached_property
     def turn(self) -> Callable[[float], MeshTurn]:
         """Ring mesh over the turn, as a function of the torque on the pins, N*m."""
+        if self.alike:
+            return self.alike.turn
 
         def turn(torque: float) -> MeshTurn:
             if self.output.in_series:

@@ -8,13 +8,11 @@ from functools import cache
 
 from core.checks.check import Check, Verdict
 from core.checks.crank_planetary import crank_check
-from core.checks.reserve import crank_verdict
 from core.checks.usual_fit import usual_clearance
 from core.design.document import Design, value_at
-from core.design.results import Results
 from core.design.ring import CycloidRing
 from core.errors import UNKNOWN, CalculationError
-from core.fixes.changes import count_may_change, value_of, vary
+from core.fixes.changes import Late, Search, count_may_change, met, value_of, vary
 from core.fixes.fix import (
     PIN_SIZES,
     RANGE,
@@ -23,13 +21,12 @@ from core.fixes.fix import (
     Fix,
     FixStatus,
     NoFix,
-    aim,
     fix_of,
     in_order,
     side_effects,
 )
 from core.fixes.shifts import SHIFT, shift_fixes, shifted
-from core.numerics.inverse import Solution
+from core.numerics.inverse import Solution, edge
 from core.precision import SEARCHED
 
 LOOKS, NUDGE = 9, 0.02
@@ -44,6 +41,9 @@ CHOICES = ("contact.pin_material", "contact.hole_material", "contact.fit", *NAME
 SHIFTED = ("gear.modification.equidistant", "gear.modification.pin_circle")
 """Inputs that may be 0 and of either sign."""
 
+ZONE = "tolerances.ring_pin_position"
+"""Input under which one ring pin stands out, to which no power leads."""
+
 FIRST_SHIFT, MOST_SHIFT, SHIFT_STEP = 1e-6, 0.5e-3, 1e-7
 """First change, largest value and rounding step of these inputs, m."""
 
@@ -54,20 +54,24 @@ STRENGTH = ("pin", "pin_rollers", "friction", "bearing", "crankshaft")
 """Groups of checks whose values are nearly powers of their inputs."""
 
 
-def crank_fixes(*, results: Results, codes: Iterable[str], current: Verdict) -> list[Fix]:
+def crank_fixes(*, search: Search, codes: Iterable[str]) -> list[Fix]:
     """Fixes of the checks `codes` of a crank-planetary reducer, the best first."""
     fixes: list[Fix] = []
-    chosen = cache(lambda: shifted(results))
+    chosen = cache(lambda: shifted(search))
     for code in codes:
-        for variable in current[code].kind.fixes:
+        for variable in search.current[code].kind.fixes:
             if variable in CHOICES:
                 continue
-            if variable == SHIFT:
-                fixes += shift_fixes(designs=chosen(), code=code, current=current)
+            try:
+                if variable == SHIFT:
+                    fixes += shift_fixes(designs=chosen(), code=code, current=search.current)
+                else:
+                    fixes.append(_fix(search, code, variable))
+            except Late:
+                search.untried[variable] = None
+            except CalculationError:  # the required size may make an impossible design
                 continue
-            with suppress(CalculationError):  # the required size may make an impossible design
-                fixes.append(_fix(results, code, variable, current))
-    return in_order(each for each in fixes if not _too_wide(results.design, each))
+    return in_order(each for each in fixes if not _too_wide(search.results.design, each))
 
 
 def _too_wide(design: Design, fix: Fix) -> bool:
@@ -92,54 +96,45 @@ def possible(fix: Fix) -> bool:
     )
 
 
-def _fix(results: Results, code: str, variable: str, current: Verdict) -> Fix:
+def _fix(search: Search, code: str, variable: str) -> Fix:
     """Fix of a check by one input."""
-    design, check = results.design, current[code]
-    group = check.kind.group
+    results, check = search.results, search.current[code]
+    design, group = results.design, check.kind.group
     if code in ("interference", "clearance"):
-        return _fitting(results, code, current)
+        return _fitting(search, code)
     if group == "play":
-        return _less_clearance(results, code, current)
+        return _less_clearance(search, code)
     if variable in SHIFTED:
-        return _shifted(results, code, variable, current)
-    cure = _cure(design, code, variable, current)
+        return _shifted(search, code, variable)
+    cure = _cure(search, code, variable)
     if variable == "mechanism.satellites" and not count_may_change(design):
         raise NoFix
 
     def change(value: float) -> Check:
-        return aimed(design=vary(design=design, variable=variable, value=value), check=check)
+        changed = vary(design=design, variable=variable, value=value)
+        return search.aimed(design=changed, check=check)
 
     again = code == "ring_efficiency" or check.solved
     again = (again or results.solved) if group == "contact" else (again and group == "gear")
     solved = group in STRENGTH or again
     if solved and variable not in WHOLE:
-        return _checked(cure, _secant(lambda value: _met(change(value)), cure.before))
+        solve = _narrowed if variable == ZONE else _secant
+        return _checked(cure, solve(lambda value: met(change(value)), cure.before))
     return fix_of(cure=cure, change=change)
 
 
-def aimed(*, design: Design, check: Check) -> Check:
-    """Check of a changed design under the torque that its fix has to bear.
-
-    `check` is the check before the change. If it has no reserve, the worse result under that torque
-    and under the working torque is returned.
-    """
-    factors = {aim(check) if check.by_torque else 1.0, aim(check) if check.kind.loaded else 1.0}
-    under_each = [Results(design).under(factor) for factor in factors]
-    ways = [*under_each, *(each.equal for each in under_each if each.two_ways)]
-    found = min((crank_check(check.code, way) for way in ways), key=_least_met)
-    return found._replace(torque_reserve=found.reserve * max(factors)) if found.by_torque else found
-
-
-def _cure(design: Design, code: str, variable: str, current: Verdict) -> Cure:
+def _cure(search: Search, code: str, variable: str) -> Cure:
     """Cure of a check by an input that is given and not 0."""
+    design = search.results.design
     before = value_of(design=design, variable=variable)
     if not before:
         raise NoFix
 
     def whole_list(value: float) -> Verdict:
-        return crank_verdict(Results(vary(design=design, variable=variable, value=value)))
+        return search.verdict(vary(design=design, variable=variable, value=value))
 
-    return Cure(code, variable, float(before), whole_list, current, _standard(design, variable))
+    standard = _standard(design, variable)
+    return Cure(code, variable, float(before), whole_list, search.current, standard)
 
 
 def _standard(design: Design, variable: str) -> tuple[float, ...]:
@@ -151,26 +146,22 @@ def _standard(design: Design, variable: str) -> tuple[float, ...]:
     return ()
 
 
-def _met(check: Check) -> float:
-    """Value of a check over the target of its fix, at least 1 if met; NaN if not known."""
-    if check.by_torque:
-        return check.reserve / aim(check)
-    return 1 / check.utilisation if check.utilisation else math.nan
+def _narrowed(measure: Callable[[float], float], before: float) -> float:
+    """Largest zone of places at which a measure, which grows as the zone narrows, is at least 1."""
+    least = before / RANGE
+    if not measure(least) >= 1:
+        raise NoFix
+    exact, _ = edge(inside=least, outside=before, excess=lambda zone: measure(zone) - 1)
+    return exact
 
 
-def _least_met(check: Check) -> float:
-    """Value of a check over the target of its fix; minus infinity if not known."""
-    met = _met(check)
-    return -math.inf if math.isnan(met) else met
-
-
-def _secant(met: Callable[[float], float], before: float) -> float:
+def _secant(measure: Callable[[float], float], before: float) -> float:
     """Input at which a measure, nearly a power of the input, is 1 or slightly more."""
     points: list[tuple[float, float]] = []
     value, growth = before, 0.0
     for look in range(LOOKS):
         try:
-            found = met(value)
+            found = measure(value)
         except AssertionError as why:
             raise NoFix from why
         if not found > 0:
@@ -192,11 +183,12 @@ def _secant(met: Callable[[float], float], before: float) -> float:
     return value
 
 
-def _shifted(results: Results, code: str, variable: str, current: Verdict) -> Fix:
+def _shifted(search: Search, code: str, variable: str) -> Fix:
     """Fix by a modification of the discs, which changes gaps linearly: interference is removed
     directly, other checks are met by secants.
     """
-    design, check = results.design, current[code]
+    design, current = search.results.design, search.current
+    check = current[code]
     before, _ = value_of(design=design, variable=variable), check.compared
     looks = list[tuple[float, float]]()
     (other,) = (abs(value_at(design, each)) for each in SHIFTED if each != variable)
@@ -204,7 +196,8 @@ def _shifted(results: Results, code: str, variable: str, current: Verdict) -> Fi
     after, way = before, larger if code == "ring_pressed" else -larger
 
     def found(value: float) -> Check:
-        return aimed(design=vary(design=design, variable=variable, value=value), check=check)
+        changed = vary(design=design, variable=variable, value=value)
+        return search.aimed(design=changed, check=check)
 
     for _ in range(LOOKS):
         seen = found(after)
@@ -214,10 +207,10 @@ def _shifted(results: Results, code: str, variable: str, current: Verdict) -> Fi
                 break
             step = short
         else:
-            met = _met(seen)
-            if not met > 0:
+            reached = met(seen)
+            if not reached > 0:
                 raise NoFix
-            looks.append((after, math.log(met)))
+            looks.append((after, math.log(reached)))
             if 0 <= looks[-1][1] <= CLOSE:
                 break
             if len(looks) == 1:
@@ -236,18 +229,18 @@ def _shifted(results: Results, code: str, variable: str, current: Verdict) -> Fi
             raise NoFix
     else:
         raise NoFix
-    made = crank_verdict(Results(vary(design=design, variable=variable, value=after)))
+    made = search.verdict(vary(design=design, variable=variable, value=after))
     effects = side_effects(code=code, current=current, found=made)
     status: FixStatus = "solved" if made[code].status == "pass" else "not_enough"
     return Fix(code, variable, before, after, after, False, status, made.verdict, effects)
 
 
-def _less_clearance(results: Results, code: str, current: Verdict) -> Fix:
+def _less_clearance(search: Search, code: str) -> Fix:
     """Fix of backlash or lost motion, which are nearly linear in the clearance."""
-    design, clearance = results.design, results.design.known_clearance
-    cure = _cure(design, code, "contact.hole_radius", current)
-    hole, (value, limit) = cure.before, aimed(design=design, check=current[code]).compared
-    backlash = crank_check("backlash", results).value
+    design, check = search.results.design, search.current[code]
+    clearance, cure = design.known_clearance, _cure(search, code, "contact.hole_radius")
+    hole, (value, limit) = cure.before, search.aimed(design=design, check=check).compared
+    backlash = crank_check("backlash", search.results).value
     if not clearance or not backlash:
         raise NoFix
     slope, place = backlash / clearance, clearance
@@ -261,7 +254,7 @@ def _less_clearance(results: Results, code: str, current: Verdict) -> Fix:
         smaller = vary(
             design=design, variable="contact.hole_radius", value=hole + place - clearance
         )
-        value, _ = aimed(design=smaller, check=current[code]).compared
+        value, _ = search.aimed(design=smaller, check=check).compared
         if value >= former:
             raise NoFix
         slope = (former - value) / (before - place)
@@ -282,17 +275,18 @@ def _checked(cure: Cure, exact: float) -> Fix:
     found = Solution("solved", exact, None, (ends,), None, True, 1)
     made = replace(cure, whole_list=whole_list).by(exact, found, "solved")
     check = verdicts[-1][cure.code]
-    if check.status in ("fail", "not_checked") and not check.only_needed:
+    missed = check.status in ("fail", "not_checked") and not check.only_needed
+    if missed or (check.warning and check.status == "marginal"):
         return replace(made, status="not_enough")
     return made
 
 
-def _fitting(results: Results, code: str, current: Verdict) -> Fix:
+def _fitting(search: Search, code: str) -> Fix:
     """Fix by the hole radius with which parts fit and have a usual clearance."""
-    design = results.design
+    results, design = search.results, search.results.design
     after = design.nominal_pair.pin_radius + design.known_eccentricity
     with suppress(*UNKNOWN):
         after = results.rooms.needed_hole_radius
     _, clearance = usual_clearance(design)
     after = math.ceil((after + clearance) * 1e6 - 1e-6) * 1e-6  # whole micrometres
-    return _checked(_cure(design, code, "contact.hole_radius", current), after)
+    return _checked(_cure(search, code, "contact.hole_radius"), after)

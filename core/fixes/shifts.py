@@ -7,11 +7,10 @@ from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple
 
 from core.checks.check import Verdict
-from core.checks.reserve import crank_verdict
 from core.design.document import changed, value_at
 from core.design.results import Results
 from core.errors import CalculationError, if_known
-from core.fixes.changes import vary
+from core.fixes.changes import Search, vary
 from core.fixes.fix import Fix, side_effects
 from core.ring.involute import HEIGHTS, TIPS_APART, InvoluteTeeth
 from core.ring.possible_teeth import possible_teeth
@@ -46,10 +45,11 @@ class Shifted(NamedTuple):
     verdict: Verdict
 
 
-def shifted(results: Results) -> list[Shifted]:
+def shifted(search: Search) -> list[Shifted]:
     """Designs with chosen profile shifts and the inputs that change with them; empty if the teeth
     are not known or no design results.
     """
+    results = search.results
     try:
         teeth = results.ring.pair.teeth
     except CalculationError:  # the shifts are not known
@@ -59,7 +59,7 @@ def shifted(results: Results) -> list[Shifted]:
         before, after = float(value_at(design, variable)), values.pop(variable)
         other = vary(design=design, variable=variable, value=after)
         try:
-            verdict = crank_verdict(Results(changed(other, values)))
+            verdict = search.verdict(changed(other, values))
         except CalculationError:  # the eccentricity makes no design
             continue
         made.append(Shifted(variable, before, after, values, verdict))

@@ -103,7 +103,7 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
     const [open, known] = [isMended(calculator, shown.answer), found?.of.answer === shown.answer];
     list = known ? found.list : [];
     const seeks = open && !known && !stale(state);
-    const why = open && known && list.length === 0 && { true: "long", false: "none" }[found.long];
+    const why = open && known && (list.length === 0 ? { true: "long", false: "none" }[found.long] : found.long && "ended");
     const note = seeks ? html`<p class="note">${message("fixes.seeking")}</p><progress class="seeking" aria-hidden="true"></progress>`
       : why && html`<p class="note">${message(`fixes.${why}`)}</p>`;
     for (const row of root.querySelectorAll(".check")) {

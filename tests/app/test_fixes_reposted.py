@@ -1,11 +1,21 @@
 """Fixes of designs that fail, of sizes that people build: each is what a repost says it is."""
 
+import asyncio
+from collections.abc import Sequence
 from copy import deepcopy
 from typing import Any
 
 import pytest
 
+from app.calculations.crank_planetary import CALCULATION
+from app.calculations.crank_planetary_sections import CrankPlanetaryRequest
 from app.examples import EXAMPLES
+from app.settings import Settings
+from core.checks.reserve import crank_verdict
+from core.design.document import changed
+from core.design.results import Results
+from core.fixes.changes import Search
+from core.output.turn import Turn
 from core.precision import SEARCHED
 from tests.inputs.bodies import applied
 from tests.inputs.failing import failing
@@ -253,3 +263,108 @@ async def test_a_named_bearing_is_exchanged_for_one_of_its_bore(
         less = applied(body, dict.fromkeys(pointers, name)) | {"include": ["checks"]}
         checks = {each["code"]: each for each in (await api.answer(PATH, less))["checks"]}
         assert checks[fix["code"]]["status"] != "pass", name
+
+
+ROBOT: dict[str, Any] = {
+    "mechanism": {"pins": 8, "satellites": 2, "satellite_teeth": 20, "ring_teeth": 21},
+    "load": {
+        "output_torque_Nm": 650.0,
+        "input_speed_rpm": 1500.0,
+        "pin_circle_radius_mm": 57.0,
+        "application_factor": 1.0,
+    },
+    "contact": {
+        "eccentricity_mm": 2.2,
+        "pin_radius_mm": 7.0,
+        "contact_length_mm": 20.0,
+        "hole_clearance_mm": 0.012,
+        "pin_material": "steel_bearing",
+        "hole_material": "steel_case_hardened",
+    },
+    "gear": {
+        "kind": "cycloid",
+        "ring_pin_circle_radius_mm": 77.8,
+        "ring_pin_radius_mm": 4.0,
+        "modification": {"equidistant_mm": 0.008},
+        "pin_material": "steel_bearing",
+    },
+    "bearing": {"name": "NU209E"},
+    "tolerances": {"ring_pin_position_mm": 0.01},
+    "requirements": {"life_h": 6000.0, "scope": ["contact", "teeth", "satellite_bearing"]},
+}
+"""Robot joint as it is proposed, under 1.3 times its torque."""
+
+
+def _solved_turns(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """Numbers of positions that are solved from now on, one for each call."""
+    counts, poses = list[int](), Turn.poses
+
+    def counted(self: Turn, places: Sequence[float], *, play: bool = True) -> Any:
+        counts.append(len(places))
+        return poses(self, places, play=play)
+
+    monkeypatch.setattr(Turn, "poses", counted)
+    return counts
+
+
+def test_a_fix_that_leaves_the_meshes_solves_no_turn_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The rating of a bearing, and where one ring pin may stand out: the turn is the same."""
+    results = CrankPlanetaryRequest.model_validate(ROBOT).results
+    search = Search(results, crank_verdict(results))
+    counts = _solved_turns(monkeypatch)
+    longer = search.verdict(changed(results.design, {"bearing.dynamic_rating": 90e3}))
+    assert counts == [12 * 21]  # of the ring pin that stands out
+    assert longer["bearing_life"].value > search.current["bearing_life"].value
+    finer = search.verdict(changed(results.design, {"tolerances.ring_pin_position": 5e-6}))
+    assert counts == [12 * 21] * 2
+    assert finer["ring_pieces"].value < search.current["ring_pieces"].value
+    for found, path, value in (
+        (longer, "bearing.dynamic_rating", 90e3),
+        (finer, "tolerances.ring_pin_position", 5e-6),
+    ):
+        alone = crank_verdict(Results(changed(results.design, {path: value})))
+        assert [(each.code, each.value, each.status) for each in found.checks] == [
+            (each.code, each.value, each.status) for each in alone.checks
+        ]
+
+
+def test_fixes_of_a_ring_pin_that_stands_out_take_few_looks(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Bearing first, then the ring pin: a sampled search of the latter solves 150,000 positions."""
+    body = CrankPlanetaryRequest.model_validate(ROBOT | {"include": ["combined"]})
+    counts = _solved_turns(monkeypatch)
+    found = CALCULATION.answered(body)["combined"]
+    assert [each["code"] for each in found["steps"]] == ["bearing_life", "ring_pieces"]
+    assert sum(counts) < 60_000
+
+
+def test_remedies_that_were_found_in_time_are_answered(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A search that is ended names the inputs that it left."""
+    asked, looks = ROBOT | {"include": ["fixes", "combined"]}, 0
+    whole = CALCULATION.answered(CrankPlanetaryRequest.model_validate(asked))
+    assert "untried" not in whole
+
+    def late(_: Any) -> bool:
+        nonlocal looks
+        looks += 1
+        return looks > 8
+
+    monkeypatch.setattr(CrankPlanetaryRequest, "late", late)
+    part = CALCULATION.answered(CrankPlanetaryRequest.model_validate(asked))
+    assert part["verdict"] == whole["verdict"] and "combined" not in part
+    assert part["fixes"] and all(each in whole["fixes"] for each in part["fixes"])
+    assert len(part["fixes"]) < len(whole["fixes"])
+    assert "/load/output_torque_Nm" in part["untried"]
+    tried = {each["pointer"] for each in part["fixes"]}
+    assert not tried & {*part["untried"]}
+
+
+async def test_the_search_ends_before_the_time_of_a_request() -> None:
+    body = CrankPlanetaryRequest.model_validate(ROBOT)
+    assert not body.late()
+    body.refuse_beyond(Settings(max_seconds=1e-3))
+    await asyncio.sleep(1e-3)
+    assert body.late()
+    body.refuse_beyond(Settings(max_seconds=1e3))
+    assert not body.late()

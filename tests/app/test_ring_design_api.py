@@ -15,7 +15,8 @@ from app.examples import REQUESTS
 from core.checks.crank_planetary import CRANK_CHECKS
 from core.checks.reserve import crank_verdict
 from core.checks.usual_modification import usual_modification
-from core.fixes.crank import LOOKS, aimed
+from core.fixes.changes import Search
+from core.fixes.crank import LOOKS
 from core.precision import EXACT, JUDGED, SAME, SEARCHED
 from core.ring.sharing import mesh_position
 from tests.inputs.bodies import changed
@@ -114,11 +115,12 @@ def test_fixes_of_teeth_that_are_solved_take_few_looks(monkeypatch):
     """Public printed drive: secants solve for fixes, and for the reserve of a check."""
     looks = []
 
-    def counted(**given):
+    def counted(self, **given):
         looks.append(given)
-        return aimed(**given)
+        return aimed(self, **given)
 
-    monkeypatch.setattr("core.fixes.crank.aimed", counted)
+    aimed = Search.aimed
+    monkeypatch.setattr(Search, "aimed", counted)
     body = {
         "mechanism": {"pins": 3, "satellites": 1, "satellite_teeth": 20, "ring_teeth": 21},
         "load": {"output_torque_Nm": 5, "pin_circle_radius_mm": 25},

@@ -25,6 +25,7 @@ from core.design.sections import (
     SatelliteBody,
     Shaft,
 )
+from core.fixes.changes import Search
 from core.fixes.crank import crank_fixes, possible
 from core.fixes.fix import Fix
 from core.hertz import ContactLimit, ElasticMaterial
@@ -93,7 +94,7 @@ def check_of(code: str, design: Design) -> Check:
 def fixes_of(design: Design, codes: Iterable[str]) -> list[Fix]:
     """Fixes of checks of a design."""
     results = Results(design)
-    found = crank_fixes(results=results, codes=codes, current=crank_verdict(results))
+    found = crank_fixes(search=Search(results, crank_verdict(results)), codes=codes)
     return [each for each in found if possible(each)]
 
 
