@@ -16,7 +16,7 @@ import { formModel } from "./lib/schema_form.js";
 import { lasting, parsed, session } from "./lib/storage.js";
 import { setDiameters, setUnits, SYSTEMS } from "./lib/units.js";
 import { decodeState } from "./lib/url_state.js";
-import { LANGUAGES, message, ownWords, setWords, useLanguage } from "./messages/index.js";
+import { message, ownWords, setWords, useLanguage } from "./messages/index.js";
 import { namedIn, passingText } from "./service_texts.js";
 import { createBar } from "./views/bar.js";
 import { chosenTheme, createSettings, onSystemTheme, setTheme } from "./views/settings.js";
@@ -54,13 +54,11 @@ const [place, unwritten] = parsed(session.getItem(UNWRITTEN), []);
 const [former, written, time] = parsed(session.getItem(WRITTEN), []);
 const late = former === location.search && time > performance.timeOrigin - WRITING_MS ? written : location.search;
 const linked = new URLSearchParams(place === location.search ? unwritten : late);
-const languages = [linked.get("lang"), lasting.getItem("language"), ...navigator.languages.map((tag) => tag.split("-")[0])];
-const language = languages.find((id) => id in LANGUAGES) ?? "en";
+const language = document.documentElement.lang; // by first.js
 const units = [linked.get("units"), lasting.getItem("units")].find((id) => SYSTEMS.includes(id)) ?? SYSTEMS[0];
 described().catch(() => {}); // said where a calculator is opened
 await useLanguage(language);
 setUnits(units);
-document.documentElement.lang = language;
 document.querySelector(".skip").textContent = message("page.skip");
 
 const panel = document.getElementById("panel");

@@ -159,6 +159,9 @@ export function warningText(warning, titles) {
   return inWords(warning, warning.params?.field, titles);
 }
 
+/** The warnings of an answer as sentences `[level, text]`. */
+export const warningSentences = ({ warnings = [] }, titles) => warnings.map((warning) => ["warning", warningText(warning, titles)]);
+
 /** Why a check stands as it does, and of which field that is said. */
 export function reasonText(reason, titles) {
   const about = named(reason.pointer ?? "");

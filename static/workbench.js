@@ -7,7 +7,7 @@ import { createAsking } from "./asking.js";
 import { partRow } from "./lib/checks.js";
 import { MOST, resultsOf } from "./lib/designs.js";
 import { element, html } from "./lib/html.js";
-import { cellAt, lostOf, shownFields, stateFromInput, stepped, textIn, withLinks } from "./lib/form_state.js";
+import { cellAt, lostOf, shownFields, stateFromInput, textIn, withLinks } from "./lib/form_state.js";
 import { entryOf, optionsOf } from "./lib/schema_form.js";
 import { lasting, parsed } from "./lib/storage.js";
 import { LABELS, query, withVerdict } from "./lib/url_state.js";
@@ -18,7 +18,7 @@ import { createChecks } from "./views/checks.js";
 import { createDrawingView } from "./views/drawing.js";
 import { createExplanation } from "./views/explanation.js";
 import { createFigure } from "./views/figure.js";
-import { createForm } from "./views/form.js";
+import { createForm, editing } from "./views/form.js";
 import { createNotice } from "./views/notice.js";
 import { createPanels } from "./views/panels.js";
 import { createPlaces } from "./views/places.js";
@@ -120,17 +120,11 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
     unfolded: lasting.getItem(UNFOLDED) === "all",
     on: {
       lengths: on.lengths,
-      typed: (path, text) => change(next.typedIn, path, text),
-      step(path, direction, factor) {
-        const text = stepped(model.fields.get(path), store.state.typed.texts[path], direction, factor);
-        if (text !== null) change(next.typedIn, path, text);
-      },
+      ...editing(store, change),
       act(act, path) {
         rest?.act(act, path);
         if (act !== "size") places.show("shown");
       },
-      left: (path) => store.apply(next.left, path),
-      chosen: (choice, option) => change(next.chose, choice, option),
       switched(group, on) {
         changeAtOnce(next.switched, group, on);
         if (!on) return;

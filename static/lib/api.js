@@ -8,14 +8,8 @@ const KINDS = { 500: "failure", 502: "unavailable", 503: "unavailable", 504: "un
 export class Problem extends Error {
   constructor({ status = 0, kind = "", title = "", detail = "", errors = [], where = {}, wait = 0 }) {
     super(detail || title);
-    this.name = "Problem";
-    this.status = status;
-    this.kind = kind;
-    this.title = title;
-    this.detail = detail;
-    this.errors = errors;
-    this.where = where;
-    this.wait = wait; // ms, before which the service asks not to be asked again
+    // `wait`: ms, before which the service asks not to be asked again
+    Object.assign(this, { name: "Problem", status, kind, title, detail, errors, where, wait });
   }
 
   /** Whether it may be gone when the same is asked again: no service, or one that is busy; what takes too long or fails would again. */

@@ -12,6 +12,10 @@ export function cell(label, section, about) {
   return { label, ...(section && about(section)) };
 }
 
+/** A cell of a quantity of a section by its name; `note(section)` says more of it. */
+export const statedCell = (section, name, note, label = quantityTitle(name)) =>
+  cell(label, section, () => ({ ...stated(section, name), note: note(section) }));
+
 /** A cell of a group beside the results: a quantity by its name among these values, – where it is not known. */
 export function quantityCell(values, name, note, label = quantityTitle(name)) {
   const { [name]: value } = values;

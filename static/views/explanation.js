@@ -6,7 +6,7 @@ import { message } from "../messages/index.js";
 import { explained } from "../service_texts.js";
 import { following } from "../store.js";
 import { remembering } from "./fold.js";
-import { sign } from "./parts.js";
+import { sentencesMarkup, sign } from "./parts.js";
 
 function warningMarkup(code) {
   const words = explained(code);
@@ -26,7 +26,7 @@ export function createExplanation({ calculator, materialOf }) {
       if (!shown) return;
       const sentences = calculator.sentences(shown.answer, { input: shown.filled, materialOf }).filter(Boolean);
       const codes = codesOf(shown.answer, judgedOf(calculator, shown.answer)?.checks).filter(explained); // not of a newer service
-      fill(host, html`<ul class="sentences">${sentences.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}</ul>
+      fill(host, html`<ul class="sentences">${sentencesMarkup(sentences)}</ul>
         ${codes.length > 0 && html`<ul class="explanations">${codes.map(warningMarkup)}</ul>`}`);
     }),
   };

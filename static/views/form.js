@@ -5,9 +5,9 @@ import { element, html } from "../lib/html.js";
 import { lineOf } from "../lib/outline.js";
 import { message, said } from "../messages/index.js";
 import { shownUnit } from "../lib/units.js";
-import { shownFields, textIn } from "../lib/form_state.js";
+import { shownFields, stepped, textIn } from "../lib/form_state.js";
 import { fieldsOf } from "../lib/schema_form.js";
-import { following, readingText, refusedAt, unread, wants } from "../store.js";
+import { chose, following, left, readingText, refusedAt, typedIn, unread, wants } from "../store.js";
 import { createField } from "./field.js";
 import { createRecords } from "./rows.js";
 import { createSection } from "./section.js";
@@ -81,6 +81,17 @@ function createChoice({ id, title, options }, { on }) {
     },
   };
 }
+
+/** What typing and choosing in a form do to its state, by `change(transition, ...values)`. */
+export const editing = (store, change) => ({
+  typed: (path, text) => change(typedIn, path, text),
+  step(path, direction, factor) {
+    const text = stepped(store.state.about.model.fields.get(path), store.state.typed.texts[path], direction, factor);
+    if (text !== null) change(typedIn, path, text);
+  },
+  left: (path) => store.apply(left, path),
+  chosen: (choice, option) => change(chose, choice, option),
+});
 
 /** The series of a bearing of the table, by its name; nothing for another word. */
 const seriesOf = (name) => name.match(/^(?:R?NA\d\d|N[UJ]\d|HK|MR|6\d)(?=[\d/])/)?.[0];

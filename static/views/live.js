@@ -1,10 +1,10 @@
 /** A group beside the results, asked for with them: its numbers in cells, sentences, rows, and its figure. */
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { warningText } from "../service_texts.js";
+import { warningSentences } from "../service_texts.js";
 import { following } from "../store.js";
 import { createFigure } from "./figure.js";
-import { cellsMarkup, sign, tableMarkup } from "./parts.js";
+import { cellsMarkup, sentencesMarkup, tableMarkup } from "./parts.js";
 
 const NONE = []; // no kept design is drawn over it
 
@@ -28,11 +28,7 @@ export function createView({ id, client, titles, logic, more = null }) {
   const numbers = following(({ answer, of }) => [answer, of], ({ answer, body }) => {
     if (!answer) return;
     fill(part(".numbers"), cellsMarkup(logic.cells(answer)));
-    const all = [
-      ...logic.sentences(answer, body, titles),
-      ...(answer.warnings ?? []).map((warning) => ["warning", warningText(warning, titles)]),
-    ];
-    fill(part(".sentences"), html`${all.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}`);
+    fill(part(".sentences"), sentencesMarkup([...logic.sentences(answer, body, titles), ...warningSentences(answer, titles)]));
     fill(part(".quantities tbody"), html`${logic.rows(answer, body).map(([title, value]) => html`
       <tr><th scope="row">${title}</th><td class="value">${value}</td></tr>`)}`);
     fill(part(".tables"), html`${(logic.tables?.(answer) ?? []).map(tableMarkup)}`);

@@ -20,6 +20,9 @@ export function barMarkup(used, level) {
     <path d="M100 0v8"/></svg>`;
 }
 
+/** Sentences `[level, text]` as the items of a list. */
+export const sentencesMarkup = (sentences) => html`${sentences.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}`;
+
 /** The numbers of a group beside the results, `[{ label, value, exact?, note, level? }]`. */
 export function cellsMarkup(cells) {
   return html`${cells.map(({ label, value, exact, note, level }) => html`

@@ -3,13 +3,13 @@ import { createBeside } from "../besides.js";
 import { newestOnly } from "../lib/api.js";
 import { levelOfWord, titleOf, wordText } from "../lib/checks.js";
 import { formatNumber, formatQuantity, unitOf } from "../lib/format.js";
-import { stateFromInput, stepped } from "../lib/form_state.js";
+import { stateFromInput } from "../lib/form_state.js";
 import { element, fill, html } from "../lib/html.js";
 import { session } from "../lib/storage.js";
 import { decodeState, query } from "../lib/url_state.js";
 import { message, quantityTitle, said } from "../messages/index.js";
 import * as next from "../store.js";
-import { createForm } from "./form.js";
+import { createForm, editing } from "./form.js";
 import { busy, sign } from "./parts.js";
 import { createRun } from "./run.js";
 
@@ -88,13 +88,7 @@ export function createProposals({ logic, client, titles, modelOf, on }) {
   const form = createForm({
     model, calculator: logic.FORM, catalogues: {}, unfolded: true, label: message("start.need"),
     on: {
-      typed: (path, text) => change(next.typedIn, path, text),
-      step(path, direction, factor) {
-        const text = stepped(model.fields.get(path), store.state.typed.texts[path], direction, factor);
-        if (text !== null) change(next.typedIn, path, text);
-      },
-      left: (path) => store.apply(next.left, path),
-      chosen: (choice, option) => change(next.chose, choice, option),
+      ...editing(store, change),
       apply: search,
     },
   });

@@ -2,9 +2,9 @@
 import { formatQuantity } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
-import { warningText } from "../service_texts.js";
+import { warningSentences } from "../service_texts.js";
 import { following, hinderedBesides } from "../store.js";
-import { sign } from "./parts.js";
+import { sentencesMarkup } from "./parts.js";
 import { createRun } from "./run.js";
 
 const [WIDTH, HEIGHT] = [600, 150];
@@ -70,10 +70,9 @@ export function createView({ id, logic, asking, open, titles }) {
     const names = body.quantities ?? Object.keys(answer.quantities);
     const [leading] = names;
     const of = answer.quantities[leading] ?? first[1];
-    const words = [...logic.advice(leading, of), ...logic.exactness(leading, of, answer),
-      ...(answer.warnings ?? []).map((warning) => ["warning", warningText(warning, titles)])];
+    const words = [...logic.advice(leading, of), ...logic.exactness(leading, of, answer), ...warningSentences(answer, titles)];
     fill(root.querySelector(".outcome"), html`
-      <ul class="sentences">${words.map(([level, text]) => html`<li>${sign(level)}${text}</li>`)}</ul>
+      <ul class="sentences">${sentencesMarkup(words)}</ul>
       <div class="studies">${Object.entries(answer.quantities).map(([name, one]) => quantityMarkup(logic.quantityOf(name, one), logic.barsOf))}</div>
       ${rankedMarkup(logic.titleOf(leading), logic.ranked(leading, of))}
       ${rankedMarkup(message("study.fit"), logic.rankedFit(answer))}`);

@@ -4,7 +4,7 @@ import { formatQuantity } from "../../lib/format.js";
 import { fill, html } from "../../lib/html.js";
 import { message } from "../../messages/index.js";
 import { arcPath, arrowOf, circle, createView, headPath, label, line, mm, paper, radius, roundBelow, scaleBar, set, setArrow, sized, WIDE_PX } from "../../lib/svg.js";
-import { crankDirections, drivingAt, forcesAt, mechanismOf, MOST_PAIRS, moved, pinAngle, pinCentres, pitchRadii } from "./mechanism.js";
+import { crankDirections, drivingAt, evenly, forcesAt, mechanismOf, MOST_PAIRS, moved, pinAngle, pinCentres, pitchRadii } from "./mechanism.js";
 import { discStill, meshAt, meshInSight, placeRing, placeRingDetail, reachOf, ringCaption, ringDetail, ringMarks, ringParts, ringStill } from "./ring.js";
 
 const STYLES = 6; // of satellites, as in the figures
@@ -42,7 +42,7 @@ function places(width, height, alone) {
 }
 
 function mainStill(view, centre, half, m) {
-  const at = view.at;
+  const centres = evenly(m.pins, m.radius).map(view.at);
   const pitch = pitchRadii(m);
   const shownPitch = m.eccentricity && !m.ring?.lobe && view.size(pitch.ring) < half;
   const body = m.eccentricity && !m.ring && pitch.satellite > m.radius + m.holeRadius;
@@ -56,17 +56,9 @@ function mainStill(view, centre, half, m) {
     ${circle(centre, view.size(m.radius), "centre pin-circle", FIELD.R)}
     ${m.cranks.map((_, j) => html`<g class="satellite series-${(j % STYLES) + 1}" data-field="${FIELD.satellites}">
       ${discStill(view, m, j)}${shownPitch && circle(centre, view.size(pitch.satellite), "pitch", FIELD.ratio)}
-      ${m.eccentricity && Array.from({ length: m.pins }, (_, n) => {
-        const turned = (2 * Math.PI * n) / m.pins;
-        const [x, y] = at([-m.radius * Math.sin(turned), m.radius * Math.cos(turned)]);
-        return html`<circle class="hole" data-pair="${j + 1}.${n + 1}" data-field="${FIELD.hole}" cx="${x}" cy="${y}" r="${view.size(m.holeRadius)}"/>`;
-      })}</g>`)}
-    <g class="pins">${Array.from({ length: m.pins }, (_, n) => {
-      const turned = (2 * Math.PI * n) / m.pins;
-      const [x, y] = at([-m.radius * Math.sin(turned), m.radius * Math.cos(turned)]);
-      return html`${circle([x, y], m.pinRadius ? view.size(m.pinRadius) : 4, "pin", `${FIELD.pins} ${FIELD.pin}`)}
-        ${m.inside && circle([x, y], view.size(m.inside), "pin inside")}`;
-    })}</g>
+      ${m.eccentricity && centres.map(([x, y], n) => html`<circle class="hole" data-pair="${j + 1}.${n + 1}" data-field="${FIELD.hole}" cx="${x}" cy="${y}" r="${view.size(m.holeRadius)}"/>`)}</g>`)}
+    <g class="pins">${centres.map((place) => html`${circle(place, m.pinRadius ? view.size(m.pinRadius) : 4, "pin", `${FIELD.pins} ${FIELD.pin}`)}
+      ${m.inside && circle(place, view.size(m.inside), "pin inside")}`)}</g>
     ${Array.from({ length: m.pins }, (_, n) => html`<text class="number pin-number" text-anchor="middle">${n + 1}</text>`)}
     ${m.cranks.map((_, j) => html`<g class="crank series-${(j % STYLES) + 1}"><line/><circle r="2.5"/><text class="number" text-anchor="middle">${j + 1}</text></g>`)}
     <g class="angle phi" data-field="${FIELD.start}"><path class="arc"/><path class="head"/>${label([0, 0], m.start === 0 ? "φ" : "φ + φ₀")}</g>

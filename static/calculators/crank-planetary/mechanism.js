@@ -84,11 +84,8 @@ function ringOf({ mechanism, besides: { bearings, gear = {} } = {} }, drawing) {
     };
   }
   const step = gear.every_second_pin && count % 2 === 0 ? 2 : 1;
-  const pins = Array.from({ length: count / step }, (_, k) => {
-    const turned = ((360 * k * step) / count - (mechanism.initial_crank_angle_deg ?? 0)) * RADIAN;
-    return { centre: [-circle * Math.sin(turned), circle * Math.cos(turned)], radius };
-  });
-  return { ...own, pins };
+  const centres = evenly(count / step, circle, -(mechanism.initial_crank_angle_deg ?? 0));
+  return { ...own, pins: centres.map((centre) => ({ centre, radius })) };
 }
 
 /** What of the inputs and their answer the drawing needs; sizes that make no mechanism are left out. */
@@ -130,14 +127,14 @@ export function crankDirections({ cranks, start }, angle) {
   });
 }
 
+/** Places evenly on a circle, against the clock, the first so many degrees from upright. */
+export const evenly = (count, radius, first = 0) => Array.from({ length: count }, (_, n) => {
+  const turned = (first + (360 * n) / count) * RADIAN;
+  return [-radius * Math.sin(turned), radius * Math.cos(turned)];
+});
+
 /** Centres of the pins. */
-export function pinCentres(mechanism, angle) {
-  const first = pinAngle(mechanism, angle) * RADIAN;
-  return Array.from({ length: mechanism.pins }, (_, n) => {
-    const turned = first + (2 * Math.PI * n) / mechanism.pins;
-    return [-mechanism.radius * Math.sin(turned), mechanism.radius * Math.cos(turned)];
-  });
-}
+export const pinCentres = (mechanism, angle) => evenly(mechanism.pins, mechanism.radius, pinAngle(mechanism, angle));
 
 /** Sizes of pin and hole as a document says them: a fit, or a clearance that agrees with the radii, stands for the hole. */
 export function fitted({ hole_radius_mm: hole, ...sizes }) {

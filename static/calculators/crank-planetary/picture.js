@@ -1,7 +1,7 @@
 /** A small picture of a reducer, of its inputs alone: ring, discs and pins to scale, at the crank angle 0. */
 import { html } from "../../lib/html.js";
 import { circle, createView, paper } from "../../lib/svg.js";
-import { mechanismOf, pitchRadii } from "./mechanism.js";
+import { evenly, mechanismOf, pitchRadii } from "./mechanism.js";
 import { bodyOf, discStill, ringStill } from "./ring.js";
 
 const SIZE = 128; // px
@@ -29,10 +29,7 @@ export function pictureOf({ mechanism, contact, ...parts }) {
   const view = createView({ x: SIZE / 2, y: SIZE / 2, scale: (SIZE / 2 - 2) / (ring ? bodyOf(ring).outside : body) });
   const centre = view.at([0, 0]);
   if (ring) Object.assign(m.ring, lobesOf(m));
-  const around = (size, kind) => Array.from({ length: pins }, (_, n) => {
-    const turned = (2 * Math.PI * n) / pins;
-    return circle(view.at([-radius * Math.sin(turned), radius * Math.cos(turned)]), view.size(size), kind);
-  });
+  const around = (size, kind) => evenly(pins, radius).map((place) => circle(view.at(place), view.size(size), kind));
   const discs = m.cranks.map((crank, j) => {
     const turned = ((crank + m.start) * Math.PI) / 180;
     return html`<g class="series-${(j % 6) + 1}" transform="translate(${view.size(e * Math.sin(turned))} ${-view.size(e * Math.cos(turned))})">

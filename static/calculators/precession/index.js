@@ -1,10 +1,9 @@
 /** The calculator of the precessional gear: contact lines, load of the mesh, deflection of the shaft. */
 import { enduranceOf, requestOf } from "../../lib/fatigue.js";
-import { cell, stated } from "../../lib/verdict.js";
-import { formatQuantity, tidy, unitOf } from "../../lib/format.js";
+import { cell, stated, statedCell } from "../../lib/verdict.js";
+import { formatNumber, formatQuantity, quantityParts, tidy, unitOf } from "../../lib/format.js";
 import { message, quantityTitle } from "../../messages/index.js";
 import { createDrawing } from "./drawing.js";
-import { sentences } from "./sentences.js";
 
 const GEAR = [
   "roller_circle_radius_mm", "roller_radius_mm", "nutation_angle_deg", "ratio_u12", "rollers", "wheel",
@@ -36,28 +35,20 @@ function loadBody(input) {
   return pick(input, [...GEAR, "torque_Nm", "reference_z_mm"]);
 }
 
-function lengthCell(section) {
-  return {
-    ...stated(section, "total_length_mm"),
-    note: message("verdict.lines", { count: section.lines.length }),
-  };
-}
+const forceText = (force) => formatQuantity(Math.hypot(...force), "N");
 
-function loadCell(section) {
-  return {
-    ...stated(section, "max_line_load_N_per_mm"),
-    note: message("verdict.meshForce", { force: formatQuantity(Math.hypot(...section.force_N), "N") }),
-  };
-}
-
-function deflectionCell(section) {
-  const reaction = (at) => formatQuantity(Math.hypot(...section[`reaction_${at}_N`]), "N");
-  return {
-    ...stated(section, "deflection_C_mm", section.deflection_C_mm.total),
-    note: message("verdict.deflectionB", {
-      deflection: formatQuantity(section.deflection_B_mm.total, "mm", 3), B: reaction("B"), C: reaction("C"),
-    }),
-  };
+/** The verdict in plain words, sentences `[level, text]`. */
+function sentences({ contact_line: line, meshing_load: load, shaft_deflection: shaft }, { input }) {
+  const arms = (line?.lines ?? []).flatMap(({ phi_min_deg: from, phi_max_deg: to }) => [from, to])
+    .map((phi) => Math.abs(Math.sin((phi * Math.PI) / 180)));
+  return [
+    line && ["good", message("words.mesh", { count: line.lines.length, length: formatQuantity(line.total_length_mm, "mm") })],
+    load && ["", message("words.evenLoad", { ratio: formatNumber(Math.max(...arms) / Math.min(...arms), 3) })],
+    shaft && ["", message("words.bends", {
+      deflection: formatQuantity(shaft.deflection_C_mm.total, "mm", 3),
+      part: quantityParts(Math.round((input.bearing_distance_mm + input.overhang_mm) / shaft.deflection_C_mm.total), "", 3).value,
+    })],
+  ];
 }
 
 function lineTables({ contact_line: { lines } }) {
@@ -156,10 +147,15 @@ export default {
   judgedIn: "shaft_deflection",
   mend: async ({ post, input }) => ({ shaft_deflection: await post(PATH, shaftBody(input, "fixes")) }),
 
-  verdict: (answer) => [
-    cell(message("verdict.lineLength"), answer.contact_line, lengthCell),
-    cell(quantityTitle("max_line_load_N_per_mm"), answer.meshing_load, loadCell),
-    cell(quantityTitle("deflection_C_mm"), answer.shaft_deflection, deflectionCell),
+  verdict: ({ contact_line: line, meshing_load: load, shaft_deflection: shaft }) => [
+    statedCell(line, "total_length_mm", () => message("verdict.lines", { count: line.lines.length }), message("verdict.lineLength")),
+    statedCell(load, "max_line_load_N_per_mm", () => message("verdict.meshForce", { force: forceText(load.force_N) })),
+    cell(quantityTitle("deflection_C_mm"), shaft, ({ deflection_C_mm: C, deflection_B_mm: B }) => ({
+      ...stated(shaft, "deflection_C_mm", C.total),
+      note: message("verdict.deflectionB", {
+        deflection: formatQuantity(B.total, "mm", 3), B: forceText(shaft.reaction_B_N), C: forceText(shaft.reaction_C_N),
+      }),
+    })),
   ],
 
   elsewhere: ["lines"],

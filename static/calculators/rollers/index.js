@@ -1,18 +1,10 @@
 /** The calculator of swinging rollers: load sharing with position errors, and bending stress. */
 import { enduranceOf, requestOf } from "../../lib/fatigue.js";
-import { cell, stated } from "../../lib/verdict.js";
-import { formatNumber, written } from "../../lib/format.js";
-import { message, quantityTitle } from "../../messages/index.js";
+import { cell, statedCell } from "../../lib/verdict.js";
+import { formatNumber, formatQuantity, written } from "../../lib/format.js";
+import { message } from "../../messages/index.js";
 import { figureText } from "../../service_texts.js";
 import { createDrawing } from "./drawing.js";
-import { sentences } from "./sentences.js";
-
-function forceCell(section) {
-  return {
-    ...stated(section, "max_force_N"),
-    note: message("verdict.rollerMean", { mean: written(section, "mean_force_N") }),
-  };
-}
 
 function sharingCell({ forces_N: forces, loaded_rollers: loaded, load_nonuniformity: ratio }) {
   return {
@@ -22,16 +14,23 @@ function sharingCell({ forces_N: forces, loaded_rollers: loaded, load_nonuniform
   };
 }
 
-function stressCell(section) {
-  return {
-    ...stated(section, "bending_stress_MPa"),
-    note: message("verdict.bendingMoment", { moment: written(section, "bending_moment_Nm") }),
-  };
-}
-
 /** The gaps that a tolerance means at worst: one roller ahead of the others by four times as much. */
 function gapsOf(count, tolerance) {
   return Array.from({ length: count }, (_, i) => (i === 0 ? 0 : 4 * tolerance));
+}
+
+/** The verdict in plain words, sentences `[level, text]`. */
+function sentences({ roller_strength: section }, { input: { position_tolerance_mm: tolerance } }) {
+  if (!section) return [];
+  const { loaded_rollers: loaded, load_nonuniformity: ratio, relative_position_error: delta } = section;
+  const all = section.forces_N.length;
+  const allCarry = loaded === all;
+  return [
+    [allCarry ? "good" : "warning", message(allCarry ? "words.allCarry" : "words.someCarry", { loaded, all, ratio: formatNumber(ratio, 4) })],
+    tolerance > 0 && all > 1 && ["", message("words.tolerance", {
+      limit: formatQuantity((tolerance * all) / 4 / delta, "mm", 3), tolerance: formatQuantity(tolerance, "mm", 3),
+    })],
+  ];
 }
 
 const PATH = "/roller-strength";
@@ -79,9 +78,9 @@ export default {
   mend: async (asking) => ({ roller_strength: await asked(asking, "fixes") }),
 
   verdict: ({ roller_strength: section }) => [
-    cell(quantityTitle("max_force_N"), section, forceCell),
+    statedCell(section, "max_force_N", () => message("verdict.rollerMean", { mean: written(section, "mean_force_N") })),
     cell(message("verdict.nonuniformity"), section, sharingCell),
-    cell(figureText("bending_stress"), section, stressCell),
+    statedCell(section, "bending_stress_MPa", () => message("verdict.bendingMoment", { moment: written(section, "bending_moment_Nm") }), figureText("bending_stress")),
   ],
 
   elsewhere: [],
