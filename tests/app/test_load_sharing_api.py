@@ -96,7 +96,6 @@ async def test_nothing_given_is_no_clearance(api):
 
 
 BEARINGS = {"stiffness_N_per_mm": 2e5, "radial_clearance_mm": 0.02}
-MESH = {"kind": "elastic", "stiffness_Nm_per_arcmin": 30.0}
 SHARES = {"kind": "shares", "shares": [0.5, 0.5]}
 
 

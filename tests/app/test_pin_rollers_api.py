@@ -198,25 +198,6 @@ async def test_rollers_alone_are_friction_enough(api):
     assert part["status"] == "pass"
 
 
-HOLLOW: dict[str, Any] = {
-    "mechanism": {"pins": 6, "satellites": 2, "ratio": 20},
-    "load": {"output_torque_Nm": 500.0, "pin_circle_radius_mm": 50.0},
-    "pin": {
-        "diameter_mm": 16.0,
-        "bore_diameter_mm": 10.0,
-        "support": "cantilever",
-        "satellite_positions_mm": [15.0, 37.0],
-        "contact_length_mm": 20.0,
-        "material": {
-            "youngs_modulus_GPa": 210,
-            "poissons_ratio": 0.3,
-            "tensile_strength_MPa": 1000,
-            "yield_strength_MPa": 800,
-        },
-    },
-}
-
-
 async def test_hollow_standoffs_of_an_open_design(api):
     """178.3 N at 3.675 mm of a tube of 5/2.46 mm: 56.7 MPa."""
     body = {

@@ -9,7 +9,6 @@ from tests.inputs.bodies import changed
 pytestmark = pytest.mark.anyio
 
 PATH = "pin-strength"
-LIMIT = {"endurance_limit_MPa": 300.0}
 
 
 def judged(**fatigue):
@@ -161,9 +160,7 @@ async def test_without_fatigue_asked_there_is_none(api):
 
 
 PLACES = "satellite_positions_mm"
-ONE = {PLACES: [15.0]}
 SHORT = {"support": "fixed", "span_mm": 45.0}
-PERCENT = {"reliability_percent": 97.0, "surface": "ground", "fatigue_notch_factor": 1.0}
 
 
 async def test_a_refusal_names_the_limit_in_the_fields_unit(api):

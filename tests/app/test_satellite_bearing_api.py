@@ -12,8 +12,6 @@ pytestmark = pytest.mark.anyio
 
 PATH = "satellite-bearing"
 BASE = REQUESTS[PATH]
-REFERENCE = {"kind": "involute", "module_mm": 1.75, "teeth_difference": 2}
-"""The design of the oracle: its teeth do not exist, its force does."""
 
 
 async def test_only_what_is_known_is_answered(api):

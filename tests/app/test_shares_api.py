@@ -45,17 +45,6 @@ ALONE = {
 }
 """One disc, whose pins share unevenly."""
 
-IN_SERIES = STATED | {
-    "gear": {
-        "kind": "cycloid",
-        "ring_pin_circle_radius_mm": 70.0,
-        "ring_pin_radius_mm": 5.0,
-        "modification": {"equidistant_mm": 0.02},
-    },
-    "satellite_coupling": {"kind": "ring"},
-}
-"""Discs that find their own share, by what is stated."""
-
 
 def with_factor(body, factor, **more):
     body = deepcopy(body)

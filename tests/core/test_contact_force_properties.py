@@ -23,10 +23,6 @@ from core.output.mechanism import Mechanism
 from core.precision import CONVERGED
 
 angles = st.one_of(st.floats(-20.0, 20.0), st.integers(-48, 48).map(lambda k: math.radians(15 * k)))
-exponents = st.one_of(
-    st.sampled_from([0.0, 1e-9, 0.3, 1.0, 10 / 9, 1.5, 3.0, 20.0, 120.0, 500.0]),
-    st.floats(0.0, 10.0),
-)
 
 
 three_pins_or_more = st.integers(3, 13)
@@ -41,14 +37,6 @@ def mechanisms(draw: st.DrawFn, pins: st.SearchStrategy[int] = three_pins_or_mor
         ratio=draw(st.one_of(st.just(20.0), st.floats(0.1, 1000.0))),
         initial_crank_angle=draw(angles),
     )
-
-
-def cosines(mechanism: Mechanism, phi: float) -> np.ndarray:  # type: ignore[type-arg]
-    """cos(gamma) of every pair as P2 eq. (6) says, sign and all."""
-    psi = phi * (1 + 1 / mechanism.ratio) + mechanism.initial_crank_angle
-    pin = 2 * math.pi * np.arange(mechanism.pins) / mechanism.pins
-    found: np.ndarray = -np.sin(psi + np.add.outer(mechanism.crank_angles, pin))  # type: ignore[type-arg]
-    return found
 
 
 @pytest.mark.parametrize("exponent", [-1.0, -1e-300, math.nan, math.inf, 1e300])

@@ -22,7 +22,6 @@ from core.ring.shared_pairs import PAIR_STIFFNESS, pairs_that_carry, shared_torq
 from tests.inputs.involute import CASES, drawn, given
 
 STEEL = ElasticMaterial(youngs_modulus=210e9, poissons_ratio=0.3)
-NAMES = [case["name"] for case in CASES]
 
 
 POSES = [(case, pose) for case in CASES for pose in case.get("poses", ())]

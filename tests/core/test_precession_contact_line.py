@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import strategies as st
 from mpmath import mpf
 
 from core.errors import CalculationError, ImpossibleMechanism, InvalidInput
@@ -22,8 +21,6 @@ GEAR: dict[str, Any] = {
     "nutation_angle": math.radians(6),
     "ratio_u12": 24 / 25,
 }
-POSITIONS = st.floats(1e-3, math.pi - 1e-3)
-PLACES = st.floats(-0.1, 0.1)
 
 
 @pytest.mark.parametrize("half_turns", [-2, -1, 0, 1, 3])

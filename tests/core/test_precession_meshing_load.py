@@ -4,9 +4,7 @@ import itertools
 import math
 from typing import Any
 
-import numpy as np
 import pytest
-from hypothesis import strategies as st
 
 from core.errors import ImpossibleMechanism, InvalidInput
 from core.precession.contact_line import contact_points
@@ -22,17 +20,6 @@ GEAR: dict[str, Any] = {
     "ratio_u12": 24 / 25,
 }
 ROLLER = RollerByLength(1.0, 0.015, 0.025)
-ROLLERS = st.lists(
-    st.builds(
-        lambda angle, z, extent: RollerByLength(angle, z, z + extent),
-        st.floats(0.3, 2.84),
-        st.floats(1e-3, 0.1),
-        st.floats(1e-4, 0.1),
-    ),
-    min_size=1,
-    max_size=4,
-)
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(200)
 
 
 def test_the_flank_does_not_change_the_force() -> None:

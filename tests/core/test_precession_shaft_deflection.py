@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import strategies as st
 from mpmath import mp, mpf
 
 from core.errors import InvalidInput
@@ -24,16 +23,10 @@ LOAD: dict[str, Any] = {
 }
 SHAFT: dict[str, Any] = {"bearing_distance": 0.03, "overhang": 0.05, "youngs_modulus": 210e9}
 STEPPED = [ShaftSection(0.02, 0.01), ShaftSection(0.04, 0.014), ShaftSection(0.02, 0.02)]
-LENGTHS = st.floats(1e-3, 1.0)
 
 
 def plain(diameter: float) -> list[ShaftSection]:
     return [ShaftSection(SHAFT["bearing_distance"] + SHAFT["overhang"], diameter)]
-
-
-def loaded(b: float, c: float, a: float) -> dict[str, Any]:
-    """Mesh loads that press on the shaft with b at B and c at C, in x."""
-    return {"force": (b + c, 0.0, 0.0), "moment": (0.0, b * a, 0.0)}
 
 
 def test_what_acts_along_the_shaft_bends_nothing_and_blurs_nothing() -> None:

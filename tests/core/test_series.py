@@ -31,7 +31,7 @@ from tests.oracles.seeds import seeds
 
 DISC = CycloidDisc(11, 2.5e-3, 0.05, 0.005, Modification(2e-5, -1e-5))
 STIFF = LinearLaw(1e14)
-PIN, PHASE = (0.0, 4e-6, 0.0, 0.0, 0.0, 0.0), (1e-5, -2e-5)
+PHASE = (1e-5, -2e-5)
 
 
 def series_of(

@@ -9,7 +9,6 @@ import pytest
 from core.drive.engine import HIGH, LOW
 from core.output.real_mechanism import RealMechanism
 from core.output.room import ELSEWHERE
-from core.ring.profile import Modification
 from core.ring.series import MeshesInSeries, in_their_ring
 from core.ring.sharing import CycloidMesh
 from tests.inputs.series import drawn
@@ -57,12 +56,6 @@ def most_room(series: MeshesInSeries, crank: float) -> tuple[float, list[tuple[f
     free = turned(series.ring, series.mechanism.ratio, crank)
     wave = float(series.mechanism.wave_angle(np.array([crank]))[0])
     return room_in_ring(sizes_of(series.output), wave, free, 0.02), free
-
-
-def pressed(series: MeshesInSeries) -> MeshesInSeries:
-    """Design in a ring whose pins press, as its discs are not modified."""
-    disc = replace(series.ring.disc, modification=Modification())
-    return replace(series, ring=replace(series.ring, disc=disc))
 
 
 @pytest.mark.parametrize("seed", seeds(3, 20))
