@@ -226,6 +226,9 @@ ROUNDED = 1e3 * EPS
 """Approach over the sizes of its terms that may be rounding."""
 
 HALVINGS = 200
+AT_REST = 1e-15
+"""Step of a lag, rad, that is none."""
+
 MIDDLES = 12
 PLACE = 1e-10
 """Width of the bracket about a summit at which `narrow` ends, rad."""
@@ -1161,28 +1164,38 @@ def next_top(first: float, last: float, body: int, drive: Drive, work: Work) -> 
 
 def freest(low: float, high: float, body: int, drive: Drive, work: Work) -> tuple[float, float]:
     """Lag between two at which ring pins press least, and their largest approach there."""
-    found, least, first = low, math.inf, low
+    w, found, least, first = work.w, low, math.inf, low
     while first < high:
         last = next_top(first, high, body, drive, work)
-        below, above = first, last
-        # Up to a lag with a pin on a lobe's top, the largest approach falls, then rises: bisection.
+        below, above, lag, left, right = first, last, (first + last) / 2, -1, -1
+        # Up to a lag with a pin on a lobe's top, the largest approach falls, then rises: by steps
+        # in a bracket to where the approaches of the pins on both sides are equal.
         for _ in range(HALVINGS):
-            lag = (below + above) / 2
-            worst, slope, _, _ = worst_at(lag, body, drive, work)
+            worst, slope, i, _ = worst_at(lag, body, drive, work)
             if worst < least:
                 found, least = lag, worst
+            if slope > 0:
+                above, right = lag, i
+            else:
+                below, left = lag, i
+            if left >= 0 and right >= 0 and left != right:
+                parting = turns(right, w) - turns(left, w)
+                step = (w[left, DELTA] - w[right, DELTA]) / parting if parting > 0 else math.inf
+                lag += step
+                if abs(step) <= AT_REST:
+                    break
+            if not below < lag < above:
+                lag = (below + above) / 2
             if lag in (below, above):
                 break
-            if slope > 0:
-                above = lag
-            else:
-                below = lag
         first = last
     return found, least
 
 
 def first_touch(lag: float, far: float, body: int, drive: Drive, work: Work) -> float:
-    """Lag at which the first ring pin touches between a free and a far one, by bisection."""
+    """Lag at which the first ring pin touches between a free and a far one, by steps in
+    a bracket.
+    """
     gi, w = drive.gi, work.w
     for g in range(len(gi)):
         if not of_ring(g, body, drive):
@@ -1192,14 +1205,21 @@ def first_touch(lag: float, far: float, body: int, drive: Drive, work: Work) -> 
             between = w[i, CA] < 0 and min(lag, far) < top < max(lag, far)
             if between and presses_on_top(i, g, body, drive, work):
                 far = top
+    at = (lag + far) / 2
     for _ in range(HALVINGS):
-        half = (lag + far) / 2
-        if half in (lag, far):
-            break
-        if worst_at(half, body, drive, work)[0] > 0:
-            far = half
+        worst, slope, _, _ = worst_at(at, body, drive, work)
+        if worst > 0:
+            far = at
         else:
-            lag = half
+            lag = at
+        step = worst / slope if slope != 0 else math.inf
+        at -= step
+        if abs(step) <= AT_REST:
+            return at
+        if not min(lag, far) < at < max(lag, far):
+            at = (lag + far) / 2
+        if at in (lag, far):
+            break
     return lag
 
 
