@@ -253,10 +253,10 @@ function announced(shown, { calculator, titles }) {
 export const mended = (state, of, list, long = false) => (state.shown?.answer === of.answer ? { ...state, fixes: { of, list, long } } : state);
 
 /** The largest torque of that design; nothing of it where it is not known. */
-export function limited(state, of, { torque_reserve, largest_torque_Nm, largest_torque_of }) {
+export function limited(state, of, { torque_reserve, largest_torque_Nm, largest_torque_of, largest_torque_without }) {
   if (state.shown?.answer !== of.answer) return state;
   const said = largest_torque_Nm === undefined ? state.said : message("checks.largestTorque", { torque: formatQuantity(largest_torque_Nm, "N·m") });
-  return { ...state, said, limit: { of, found: { torque_reserve, largest_torque_Nm, largest_torque_of } } };
+  return { ...state, said, limit: { of, found: { torque_reserve, largest_torque_Nm, largest_torque_of, largest_torque_without } } };
 }
 
 /** The answer on the screen, with the largest torque where that is known. */

@@ -157,6 +157,10 @@ class CheckOut(ResponseModel):
     verified: Maybe[Verified] = Field(
         description="Way in which the source of a material's limit was checked."
     )
+    because: Maybe[Literal["margin", "guide"]] = Field(
+        description="Cause of a marginal check: `margin`, it does not hold at 1.1 times the torque;"
+        " `guide`, a guide value is not kept. Where it is absent, `reason` is the cause."
+    )
     life_factor: Maybe[float] = Field(
         description="Life factor contained in a material's limit, for the number of loads; absent"
         " if no curve is known.",
@@ -235,7 +239,9 @@ class JudgedResponse(AssumingResponse):
         "are left out if `include` names only other sections."
     )
     governing: Maybe[str] = Field(
-        description="Code of the check that decides.", json_schema_extra={"enum": [*CHECKS]}
+        description="Code of the check that limits most; a condition that is only necessary counts "
+        "by what it uses of its limit.",
+        json_schema_extra={"enum": [*CHECKS]},
     )
     torque_reserve: Maybe[float] = Field(
         description="Factor on the torque at which the first check fails. A reducer has it with "
@@ -401,6 +407,7 @@ def check_values(check: Check, body: RequestModel, inputs: list[str]) -> Values:
         "criterion": check.criterion or None,
         "verified": check.verified or None,
         "life_factor": check.life_factor,
+        "because": check.because or None,
         "at": at or None,
         "inputs": inputs,
     }
@@ -543,6 +550,7 @@ def judgement(
         own["parts"] = [part_values(each, body) for each in verdict.parts]
         if most is not None:
             own["largest_torque_of"] = list(verdict.largest_torque_of)
+            own["largest_torque_without"] = list(verdict.uncounted) or None
     return own | {
         "verdict": verdict.verdict,
         "governing": verdict.governing,
@@ -574,4 +582,4 @@ def codes_to_fix(verdict: Verdict, which: FixesFor) -> list[str]:
     if which == "failed":
         return [each.code for each in verdict.checks if each.status == "fail"]
     governing = (each for each in verdict.checks if each.code == verdict.governing)
-    return [each.code for each in governing if each.status != "pass"]
+    return [each.code for each in governing if each.status in ("fail", "marginal")]

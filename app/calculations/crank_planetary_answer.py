@@ -130,6 +130,10 @@ class CrankPlanetaryResponse(JudgedResponse, DocumentResponse):
         "more than 1 %."
     )
     largest_torque_of: Maybe[list[str]] = Field(description="Parts that the largest torque covers.")
+    largest_torque_without: Maybe[list[str]] = Field(
+        description="Checks that only warn, as that of the ring's pieces, and do so at the largest "
+        "torque: it does not count them."
+    )
     cold_yield: Maybe[ColdYieldOut] = Field(
         description="First yield of a plastic in contact, if its strength and friction are known."
         " It stands in place of the largest torque, which is not known for plastics.",

@@ -23,6 +23,12 @@ MARGIN = 1.1
 """Torque reserve below which a check is marginal."""
 
 
+BY_RANGE = ("range_decides", "default_decides")
+"""Reasons of a marginal check that fails only at one end of the range of an assumed value."""
+
+DOUBTS = ("pressure_error", "shakedown_unknown", *BY_RANGE)
+"""Reasons of a marginal check that other torques do not change."""
+
 Given = TypeVar("Given")
 
 Judge = Callable[..., "Check | Measure"]
@@ -262,6 +268,18 @@ class Check(NamedTuple):
         return self.kind.code
 
     @property
+    def because(self) -> Literal["", "guide", "margin"]:
+        """Cause of a marginal check: a guide value that is not kept, or that it does not hold at
+        `MARGIN` times the torque; empty where its reason is the cause, and for other checks.
+        """
+        if self.status != "marginal":
+            return ""
+        if self.warning:
+            return "guide"
+        by_torque = self.by_torque or self.kind.loaded
+        return "margin" if by_torque and self.reason not in DOUBTS else ""
+
+    @property
     def margin(self) -> float:
         """Distance of the value from its limit, SI, below 0 beyond it; `NotKnown` as `compared`."""
         value, limit = self.compared
@@ -409,7 +427,7 @@ class Verdict:
     # Parts decide: `fail` if one fails, `incomplete` if one is open or none judged, and so on.
     # Without parts `incomplete` means a check not made, or none that depends on the load.
     verdict: Outcome
-    governing: str | None  # code of the worst failing check, or of the one nearest its limit
+    governing: str | None  # code of the check that limits most, see `governs`
     # Factor on the torque at the first failure; None if the largest torque is not known. For
     # plastics, which may not last, the factor at which they yield at once.
     torque_reserve: float | None
@@ -421,6 +439,7 @@ class Verdict:
     parts: tuple[PartVerdict, ...]  # empty for other calculations than the reducer
     not_considered: tuple[str, ...]  # keys of `NOT_CONSIDERED`
     checks: tuple[Check, ...]  # in order of `rank`
+    uncounted: tuple[str, ...] = ()  # codes of checks that only warn, and do at the largest torque
 
     @property
     def impossible(self) -> bool:
@@ -462,6 +481,22 @@ def rank(check: Check) -> tuple[float, ...]:
     return place, check.reserve, used
 
 
+def governs(checks: Iterable[Check]) -> str | None:
+    """Code of the check that limits most: the worst failing one, or the one nearest its limit. A
+    condition that is only necessary counts by what it uses of its limit.
+    """
+
+    def place(check: Check) -> tuple[float, ...]:
+        near = check.reserve < MARGIN
+        return rank(check._replace(status="marginal" if near else "pass") if held(check) else check)
+
+    def held(check: Check) -> bool:
+        return check.only_needed and check.utilisation is not None
+
+    known = [each for each in checks if held(each) or each.status in ("fail", "marginal", "pass")]
+    return min(known, key=place).code if known else None
+
+
 def verdict(
     checks: Iterable[Check],
     not_considered: tuple[str, ...] = (),
@@ -487,7 +522,7 @@ def verdict(
     statuses = [each.status for each in ranked]
     counts: dict[str, int] = {status: statuses.count(status) for status in STATUSES}
     decided = [each for each in ranked if each.status in ("fail", "marginal", "pass")]
-    held = (each for each in ranked if each.only_needed)
+    held = [each for each in ranked if each.only_needed]
     counted = [each for each in (*decided, *held) if each.by_torque and not each.warning]
     bears = bool(counted) and not unknown and not cannot_be(ranked)
     outcome: Outcome = "pass"
@@ -509,7 +544,7 @@ def verdict(
     least = min(each.reserve for each in counted) if known or bounded else None
     return Verdict(
         verdict=outcome,
-        governing=decided[0].code if decided else None,
+        governing=governs(ranked),
         torque_reserve=least,
         largest_torque_known=known,
         largest_torque_of=of if known else (),

@@ -12,6 +12,7 @@ from core.checks.check import (
     Verdict,
     asked_of,
     cannot_be,
+    governs,
     rank,
     verdict,
 )
@@ -205,7 +206,7 @@ def _part(design: Design, part: Part, made: list[Check]) -> PartVerdict:
     decided = [check for check in own if check.status in ("fail", "marginal", "pass")]
     if part.demands and not decided and not asked_of(design, *part.demands.split()):
         return PartVerdict(code=part.code, status="not_asked")
-    governing = decided[0].code if decided else None
+    governing = governs(own)
     if decided and decided[0].status == "fail":
         return PartVerdict(code=part.code, status="fail", governing=governing)
     lacks = list(_lacks(design, part, own))

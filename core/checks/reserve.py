@@ -9,7 +9,7 @@ torque at which all checks were made and held, next to one at which a check was 
 import math
 from dataclasses import replace
 
-from core.checks.check import MARGIN, Check, Verdict
+from core.checks.check import BY_RANGE, DOUBTS, MARGIN, Check, Verdict
 from core.checks.crank_planetary import crank_check, crank_checks, of_parts
 from core.design.results import Results
 
@@ -37,12 +37,6 @@ LEAST = 1e-6
 TOO_MUCH = ("not_stable", "beyond_hertz", "contact_wraps")
 """Reasons why a check is not known under a torque, but may be under less."""
 
-BY_RANGE = ("range_decides", "default_decides")
-"""Reasons of a marginal check that fails only at one end of the range of an assumed value."""
-
-DOUBTS = ("pressure_error", "shakedown_unknown", *BY_RANGE)
-"""Reasons of a marginal check that other torques do not change."""
-
 
 def crank_verdict(results: Results, *, largest: bool = False) -> Verdict:
     """Verdict of a crank-planetary reducer under its torque and under `MARGIN` times its torque.
@@ -52,8 +46,21 @@ def crank_verdict(results: Results, *, largest: bool = False) -> Verdict:
     less torque fails; this is not tried for discs in series on unlike pins, which takes long. True
     for `largest` searches for the torque at which the first check fails. For solved forces the
     torque reserve is known only then: the largest torque tried that holds, with a failing one at
-    most `NEAR` times larger, or `KNOWN` times at a jump.
+    most `NEAR` times larger, or `KNOWN` times at a jump. Checks that only warn do not count for it;
+    those that do at that torque are named.
     """
+    found = _verdict(results, largest=largest)
+    if not (largest and found.torque_reserve and found.largest_torque_known):
+        return found
+    there = results.under(found.torque_reserve)
+    warnings = (each for each in found.checks if each.warning and each.kind.loaded)
+    looked = (crank_check(each.code, there) for each in warnings)
+    warned = tuple(each.code for each in looked if each.warning and each.status == "marginal")
+    return replace(found, uncounted=warned)
+
+
+def _verdict(results: Results, *, largest: bool) -> Verdict:
+    """Verdict as of `crank_verdict`, without the checks that warn at the largest torque."""
     torques = _judged(results)
     found = torques.found
     if results.two_ways:

@@ -14,7 +14,8 @@ UNKNOWN = {
     "rating_high": "The rating is higher than that of any known bearing of these sizes",
     "rating_low": "The rating is less than a twentieth of what fits: is it given in kN?",
     "thin_wall": "The wall or space is thinner than usual",
-    "pin_stands_out": "The tolerance study says which share of pieces lasts",
+    "pin_stands_out": "A piece whose ring pin stands out does not hold: the tolerance study says "
+    "how many do",
     "pins_placed": "The places of the ring's pins are given, and judged themselves",
     "near_undercut": "The outline is close to where the pins of the ring cut off a part of the "
     "flanks: errors of the parts may take what is left",

@@ -7,7 +7,7 @@ const LEVELS = { pass: "good", marginal: "warning", fail: "bad", incomplete: "wa
 /** Names of an answer that say how it is judged or how exact it is: no results of their own. */
 export const ASIDE = [
   "accuracy", "warnings", "verdict", "governing", "counts", "not_considered", "checks", "fixes", "torque_reserve",
-  "largest_torque_Nm", "largest_torque_of", "cold_yield", "parts", "model", "assumed", "fit",
+  "largest_torque_Nm", "largest_torque_of", "largest_torque_without", "untried", "cold_yield", "parts", "model", "assumed", "fit",
 ];
 
 /** The sections whose values are listed: those that are asked, and those that an answer has beside these, as that of forces which are solved. */
@@ -101,7 +101,7 @@ const amount = (value, unit, digits) => (value === undefined ? "" : formatQuanti
 
 /**
  * A check for a row: `level`, `title`, `why`, `value`, `limit` (with the sense), `used` (share of the
- * limit), `source`, `place`, `reason`, `missing` (paths of fields).
+ * limit), `source`, `place`, `reason`, `cause` of a marginal one, `missing` (paths of fields).
  */
 export function checkRow(check, titles) {
   const { code, status, needed = true, value, limit, unit, keep, utilisation, source, source_code: sourceCode, criterion, life_factor: life, at, reason, missing = [] } = check;
@@ -127,6 +127,7 @@ export function checkRow(check, titles) {
     ].filter(Boolean).join(": "),
     place: at?.pin === undefined ? "" : message("checks.at", { ...at, angle: formatAngle(at.crank_angle_deg ?? 0) }),
     reason: reason ? reasonText(reason, titles) : "",
+    cause: status === "marginal" ? becauseOf(check, titles) : "",
     missing: missing.map(pathOf),
     judged: JUDGED.includes(status),
   };
@@ -227,10 +228,14 @@ export function assumedIn({ assumed = [] }) {
   return message("checks.assumed", { what: what.join("; ") });
 }
 
-/** Why a verdict's word is what it is, in words; nothing where it works, or where what is unknown says so. */
-export function wordNote(judged) {
+/** Why a check is marginal, in a phrase. */
+const becauseOf = ({ because, reason }, titles) => (because ? message(`verdictWord.because.${because}`) : reason ? reasonText(reason, titles) : "");
+
+/** Why a verdict's word is what it is, in words: of one that just works by the check that governs; nothing where it works, or where what is unknown says so. */
+export function wordNote(judged, titles) {
   const word = wordOf(judged);
   if (word === "pass") return "";
+  if (word === "marginal") return becauseOf(decisive(judged) ?? {}, titles);
   if (word === "incomplete") return unknownIn(judged) > 0 ? "" : message("verdictWord.nothingNote");
   return message(`verdictWord.${word}Note`);
 }
@@ -251,6 +256,13 @@ export function coldYield({ cold_yield: cold }) {
       open: open.map((code) => titleOf({ code })).join(", ").toLowerCase(),
     }),
   };
+}
+
+/** What a largest torque does not count, and what holds above it where less than the load is certain; nothing else. */
+export function torqueNote({ verdict, torque_reserve: reserve, largest_torque_without: without = [] }) {
+  const certain = reserve < 1 && verdict !== "fail" && message("checks.surely");
+  const uncounted = without.length > 0 && message("checks.uncounted", { checks: without.map((code) => titleOf({ code })).join(", ") });
+  return [certain, uncounted].filter(Boolean).join("; ");
 }
 
 /** Why a verdict knows no largest torque, in words. */

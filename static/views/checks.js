@@ -26,15 +26,15 @@ function amountMarkup(value) {
 }
 
 function rowMarkup(row, fieldAt) {
-  const { code, level, status, title, value, exact, limit, used, source, reason, missing, judged } = row;
+  const { code, level, status, title, value, exact, limit, used, source, reason, cause, missing, judged } = row;
   return html`
     <li class="check ${level ?? ""}" data-code="${code}" data-status="${status}">
       <details><summary>
         <span class="check-title" title="${title}">${sign(level)}${title}<span class="unseen">: ${message(`status.${status}`)}</span></span>
-        <span class="check-used">${used !== undefined && judged ? html`${barMarkup(used, level)}<span class="check-share">${percent(used)}</span>`
+        <span class="check-used">${used !== undefined ? html`${barMarkup(used, level)}<span class="check-share">${percent(used)}</span>`
           : html`<span class="note">${value ? "" : message(`status.${status}`)}</span>`}</span>
         <span class="check-value" title="${exact}">${amountMarkup(value)}${value && limit && " "}<span class="check-limit">${limit}</span></span>
-        <span class="check-source">${judged ? source : reason}</span>
+        <span class="check-source">${cause || (judged ? source : reason)}</span>
       </summary><div class="fixes" hidden></div>${detailsMarkup(row)}</details>${missingMarkup(missing, fieldAt)}
     </li>`;
 }

@@ -3,7 +3,7 @@
  * stays in sight; under it stand the few numbers of the calculator and the line of warnings.
  */
 import {
-  assumedIn, checkRow, coldYield, decisive, isLimited, judgedOf, levelOfWord, lookedAt, notConsidered, partRow, torqueUnknown, unknownIn, usuallyOf, wordNote, wordOf, wordText,
+  assumedIn, checkRow, coldYield, decisive, isLimited, judgedOf, levelOfWord, lookedAt, notConsidered, partRow, torqueNote, torqueUnknown, unknownIn, usuallyOf, wordNote, wordOf, wordText,
 } from "../lib/checks.js";
 import { ALL, formatQuantity, quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
@@ -22,7 +22,7 @@ function cellMarkup({ label, value, exact, unit, note, level }) {
 }
 
 /** The word, and under it of which inputs the numbers are where they are not of these. */
-function wordMarkup({ phase, numbers }, judged) {
+function wordMarkup({ phase, numbers }, judged, titles) {
   const known = judged && numbers === "fresh";
   const word = known ? wordOf(judged) : null;
   const text = word ? wordText(judged) : message(`state.${phase}`);
@@ -31,17 +31,19 @@ function wordMarkup({ phase, numbers }, judged) {
   const unknown = word === "incomplete" && unknownIn(judged);
   return html`<p class="word ${level || ""} ${soFar && "so-far"}">${sign(level)}${text}</p>
     ${unknown > 0 && html`<p class="note"><button type="button" class="link unknown">${message("checks.unknown", { count: unknown })}</button></p>`}
-    <p class="note">${word ? wordNote(judged) : message(`state.${numbers}Note`)}
+    <p class="note">${word ? wordNote(judged, titles) : message(`state.${numbers}Note`)}
       ${UNANSWERED.includes(phase) && html`<button type="button" class="link again">${message("state.again")}</button>`}</p>`;
 }
 
 function governingMarkup(judged, titles) {
   const check = judged && decisive(judged);
   if (!check) return html`<p class="label">${message("checks.governing")}</p><p class="note">–</p>`;
-  const { title, value, limit, used, level, reason, judged: known } = checkRow(check, titles);
+  const { title, value, limit, used, level, reason, cause } = checkRow(check, titles);
+  const numbers = value && limit && html`<b>${value}</b> (${limit})`;
+  const says = numbers && check.status !== "not_checked" ? judged.verdict !== "marginal" && cause : reason;
   return html`<p class="label">${message("checks.governing")}: <b>${title}</b></p>
-    ${used !== undefined && known && barMarkup(used, level)}
-    <p class="note">${value && limit ? html`<b>${value}</b> (${limit})` : reason || value}</p>`;
+    ${used !== undefined && barMarkup(used, level)}
+    <p class="note">${numbers || (!says && value)} ${says}</p>`;
 }
 
 /** Largest torque and verdict of the design with what is usual. */
@@ -78,8 +80,9 @@ function torqueMarkup({ numbers }, judged, usual, sought) {
   if (sought) return html`${label}<p class="sought"><span class="figures">…</span> <span class="figures-unit">${shownUnit("N·m")}</span></p>${usual && usualMarkup(usual)}`;
   if (largest === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>${usual && usualMarkup(usual)}`;
   const { value, unit } = quantityParts(largest, "N·m");
-  const reserve = judged.torque_reserve && barMarkup(1 / judged.torque_reserve, judged.torque_reserve < 1 ? "bad" : "good");
-  return html`${label}<p><span class="figures" title="${formatQuantity(largest, "N·m", ALL)}">${value}</span> <span class="figures-unit">${unit}</span></p>${reserve}${usual && usualMarkup(usual)}`;
+  const reserve = judged.torque_reserve && barMarkup(1 / judged.torque_reserve, judged.torque_reserve < 1 ? levelOfWord(judged.verdict) : "good");
+  return html`${label}<p><span class="figures" title="${formatQuantity(largest, "N·m", ALL)}">${value}</span> <span class="figures-unit">${unit}</span></p>${reserve}
+    <p class="note">${torqueNote(judged)}</p>${usual && usualMarkup(usual)}`;
 }
 
 /** A chip for each part: its mark, its name; a click leads to its check or to what it lacks. */
@@ -129,7 +132,7 @@ export function createVerdict({ calculator, titles, scope: all = [], on }) {
       const judged = judgedOf(calculator, answerNow(state));
       const sought = judged && isLimited(calculator, judged) && state.limit?.of.answer !== state.shown.answer;
       const stands = standing(state);
-      fill(part("judged"), wordMarkup(stands, judged));
+      fill(part("judged"), wordMarkup(stands, judged, titles));
       fill(part("governing"), governingMarkup(judged, titles));
       fill(part("torque"), torqueMarkup(stands, judged, stands.numbers === "fresh" && usualOf(state, calculator), sought));
       judgedNow = judged;

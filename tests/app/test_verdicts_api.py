@@ -601,6 +601,60 @@ async def test_every_fix_makes_its_check_pass(api, path, body):
         await api.reposted(path, body, fix)
 
 
+def example(name):
+    """Inputs of an example, with checks and largest torque."""
+    body = next(each["input"] for each in EXAMPLES if each["id"] == name)
+    return body | {"include": ["checks", "largest_torque"]}
+
+
+async def test_what_limits_most_governs_though_it_never_passes(api):
+    """First yield of a printed gear near its limit, beside lives of bearings at a hundredth."""
+    answer, checks = await api.judged("crank-planetary", example("printed-15-to-1"))
+    first = checks[answer["governing"]]
+    assert (first["status"], first["reason"]["code"]) == ("not_checked", "necessary_only")
+    known = [each for each in checks.values() if each["status"] == "pass" or each is first]
+    by_torque = [each["torque_reserve"] for each in known if "torque_reserve" in each]
+    assert first["torque_reserve"] == min(by_torque)
+    (contact,) = (each for each in answer["parts"] if each["code"] == "contact")
+    assert contact["governing"] == answer["governing"]
+    fixes = await api.answer("crank-planetary", example("printed-15-to-1") | {"include": ["fixes"]})
+    assert fixes["fixes"] == []
+
+
+async def test_a_largest_torque_names_what_it_does_not_count(api):
+    """A ring pin that stands out warns; the largest torque is that of nominal parts."""
+    answer, checks = await api.judged("crank-planetary", example("cycloid"))
+    assert checks["ring_pieces"]["status"] == "marginal" and answer["torque_reserve"] > 1
+    assert answer["largest_torque_without"] == ["ring_pieces"]
+    body = changed(example("cycloid"), tolerances={"ring_pin_position_mm": 1e-3})
+    body["load"]["output_torque_Nm"] /= 2
+    less, checks = await api.judged("crank-planetary", body)
+    assert checks["ring_pieces"]["status"] == "pass"
+    assert "largest_torque_without" in less  # of the largest torque, not of the torque at hand
+    body["requirements"]["scope"] = ["contact"]
+    assert "largest_torque_without" not in await api.answer("crank-planetary", body)
+
+
+async def test_a_marginal_check_says_by_what_it_is_marginal(api):
+    """Just above the torque that is held 1.1 times over; a thin wall; a range of a material."""
+    reserve = (await api.answer("crank-planetary", design() | {"include": ["largest_torque"]}))[
+        "torque_reserve"
+    ]
+    body = design(load__output_torque_Nm=500 * reserve / 1.05)
+    answer, checks = await api.judged("crank-planetary", body)
+    assert answer["verdict"] == "marginal"
+    assert checks[answer["governing"]]["because"] == "margin"
+    body = design(satellite_body={"root_radius_mm": 61.0, "bore_radius_mm": 30.0})
+    body["load"]["output_torque_Nm"] = 100.0
+    answer, checks = await api.judged("crank-planetary", body)
+    assert answer["governing"] == "wall_rim" and checks["wall_rim"]["because"] == "guide"
+    answer, checks = await api.judged("crank-planetary", example("clearance"))
+    ranged = checks[answer["governing"]]
+    assert (ranged["status"], ranged["reason"]["code"]) == ("marginal", "range_decides")
+    assert "because" not in ranged
+    assert all("because" not in each for each in checks.values() if each["status"] == "pass")
+
+
 async def test_satellites_that_are_alike(api):
     """Three satellites of 21 teeth in a ring of 22 are three different parts, two are alike."""
     teeth = {"satellites": 3, "ratio": None, "satellite_teeth": 21, "ring_teeth": 22}

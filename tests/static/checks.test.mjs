@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { assumedIn, checkRow, fixRow, isLimited, judgedOf, lookedAt, notConsidered, partRow, sizedBy, torqueUnknown, unknownIn, verdictSentence, wordNote, wordOf, wordText } from "../../static/lib/checks.js";
+import { assumedIn, checkRow, fixRow, isLimited, judgedOf, lookedAt, notConsidered, partRow, sizedBy, torqueNote, torqueUnknown, unknownIn, verdictSentence, wordNote, wordOf, wordText } from "../../static/lib/checks.js";
 import { solutionOf, solveBody, targetsOf } from "../../static/lib/sizing.js";
 import { useLanguage } from "./service.mjs";
 
@@ -82,6 +82,13 @@ test("the largest torque is asked for of what is judged and can be, with a clear
   ], [false, false, false, false, false]);
 });
 
+test("a largest torque says what it does not count, and what holds above it", () => {
+  const said = { verdict: "marginal", torque_reserve: 1.25, largest_torque_without: ["ring_pieces"] };
+  assert.match(torqueNote(said), /^not counted: /);
+  assert.match(torqueNote({ verdict: "incomplete", torque_reserve: 0.8 }), /^held for certain/);
+  assert.deepEqual([torqueNote({ verdict: "fail", torque_reserve: 0.8 }), torqueNote({ verdict: "pass", torque_reserve: 2 })], ["", ""]);
+});
+
 test("what is incomplete counts what is not known, or says that nothing could break", () => {
   const note = (not_checked) => wordNote({ verdict: "incomplete", counts: { not_checked }, checks: [] });
   assert.deepEqual([note(1), note(0)], ["", "nothing that was looked at could break"]);
@@ -92,9 +99,13 @@ test("what is incomplete counts what is not known, or says that nothing could br
   assert.match(wordNote({ verdict: "fail", counts: { not_checked: 2 }, checks: [{ impossible: true }] }), /cannot be built/);
 });
 
-test("a marginal verdict says what that means; which parts were looked at is said apart", () => {
-  const judged = { verdict: "marginal", counts: { not_checked: 0 }, checks: [{ status: "marginal", group: "new" }] };
-  assert.match(wordNote(judged), /1\.1 times the torque/);
+test("a marginal verdict says by what it is one; which parts were looked at is said apart", () => {
+  const check = { code: "pin_static", status: "marginal", group: "new", because: "margin", reason: { code: "life_without_speed", detail: "…" } };
+  const judged = { verdict: "marginal", governing: "pin_static", counts: { not_checked: 0 }, checks: [check] };
+  assert.match(wordNote(judged, new Map()), /1\.1 times the torque/);
+  const of = (more) => wordNote({ ...judged, checks: [{ ...check, because: undefined, ...more }] }, new Map());
+  assert.match(of({ because: "guide" }), /guide value/);
+  assert.match(of({ reason: { code: "range_decides", detail: "It holds at one end" } }), /one end/);
   assert.equal(lookedAt(judged), "looked at: new");
 });
 
