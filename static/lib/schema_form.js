@@ -216,18 +216,18 @@ function allowedBy(pattern) {
 
 /**
  * A group that is off until wanted: its switch, and fields of the body of the calculator's endpoint, or of a `view` beside that, by their paths.
- * What is said of a field stands above its schema, or that of the field that it is `like`: `when`, `words` (name and group of its title), `options` besides those
+ * What is said of a field stands above its schema, or that of the field that it is `like`: `when`, `words` (name and group of its title, and values put in), `options` besides those
  * of the schema, `needs` (another group that has to be on), `empty` (what an empty box says), `follows` (the list that stands for an empty one, from the other boxes), `rows` and `columns` of a list of records that the body has as lists, own values that are left out (`without`). A group is not `judged` where the verdict
  * does not hang on it, and off while one is that it `needs`.
  */
 function wantedGroup(openapi, { id, path, fields, needs, judged = true }, words) {
   const { schema, resolve } = bodySchema(openapi, path, words);
-  const made = (at, { words: [name, group] = [], like = at, ...own }) => {
+  const made = (at, { words: [name, group, values] = [], like = at, ...own }) => {
     let part = partAt(schema, like, resolve) ?? {};
     while (part.type === "array" && own.leaf) part = { ...part, ...resolve(part.items) };
     const { default: preset = part.default, required = false, options = [], ...rest } = own;
     const field = fieldOf({ ...part, default: preset, "x-group": group ?? part["x-group"] }, at, required, resolve);
-    const named = name && words(name, group);
+    const named = name && words(name, group, values);
     return {
       ...field,
       ...named,

@@ -42,7 +42,7 @@ export function followed(calculator, answer, path) {
     return [{ title: quantityTitle(name, section), pointer: section === judgedIn ? `/${name}` : `/${section}/${name}`, unit: unitOf(name) }];
   });
   const shares = targetsOf(calculator, answer, path).filter(({ percent }) => percent);
-  const torque = calculator.limit ? [{ title: message("checks.torque"), pointer: "/largest_torque_Nm", unit: "N·m" }] : [];
+  const torque = calculator.limit ? [{ title: quantityTitle("largest_torque_Nm"), pointer: "/largest_torque_Nm", unit: "N·m" }] : [];
   const governing = { title: message("sweep.governing"), pointer: GOVERNING, percent: true };
   return [governing, ...torque, ...numbers, ...shares].map((one, id) => ({ unit: one.percent ? "%" : "", ...one, id: String(id) }));
 }

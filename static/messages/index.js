@@ -74,10 +74,11 @@ export function symbolOf(name, section) {
  * Title and help of a field by its name, or by group and name where groups differ, in the language in use; null for one
  * that has no words there: in English the schemas have them, each of its own request.
  */
-export function ownWords(name, group) {
+export function ownWords(name, group, values = {}) {
   const named = `${group}.${name}`;
   const { fields = {} } = words;
-  return fields[named] ?? texts.own[named] ?? fields[name] ?? null;
+  const { title, help } = fields[named] ?? texts.own[named] ?? fields[name] ?? {};
+  return title === undefined ? null : { title: filled(title, values), help: filled(help, values) };
 }
 
 /** The same where no schema is at hand; null for a field that neither page nor service knows. */

@@ -92,7 +92,7 @@ function decisiveRows(calculator, designs, base) {
         return { text: check ? `${titleOf(check)}${check.utilisation === undefined ? "" : `, ${percent(check.utilisation)}`}` : "–" };
       }),
     },
-    numberRow(message("checks.torque"), "N·m", all.map((judged) => judged?.largest_torque_Nm), base, 1),
+    numberRow(quantityTitle("largest_torque_Nm"), "N·m", all.map((judged) => judged?.largest_torque_Nm), base, 1),
     ...movedRow(calculator, designs),
   ];
 }

@@ -8,7 +8,7 @@ import {
 import { ALL, formatQuantity, quantityParts } from "../lib/format.js";
 import { element, fill, html } from "../lib/html.js";
 import { shownUnit } from "../lib/units.js";
-import { message } from "../messages/index.js";
+import { message, quantityTitle } from "../messages/index.js";
 import { answerNow, following, standing, UNANSWERED } from "../store.js";
 import { barMarkup, sign } from "./parts.js";
 
@@ -69,7 +69,7 @@ function usualOf({ shown, usual }, calculator) {
 
 /** `sought`: it is not known yet. */
 function torqueMarkup({ numbers }, judged, usual, sought) {
-  const label = html`<p class="label">${message("checks.torque")}</p>`;
+  const label = html`<p class="label">${quantityTitle("largest_torque_Nm")}</p>`;
   const { largest_torque_Nm: largest } = judged ?? {};
   const cold = judged && numbers !== "part" && coldYield(judged); // of plastic nobody knows a largest one
   if (cold) {

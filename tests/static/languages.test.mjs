@@ -109,7 +109,7 @@ for (const language of OTHERS) {
 }
 
 test("a noun agrees with its number", async () => {
-  const rollers = (counts) => counts.map((count) => message("verdict.lines", { count }));
+  const rollers = (counts) => counts.map((count) => message("line.rollers", { count }));
   assert.deepEqual(rollers([1, 2]), ["1 roller", "2 rollers"]);
   await useLanguage("uk");
   assert.deepEqual(rollers([1, 2, 5, 11, 21, 2.5]),

@@ -141,7 +141,7 @@ function withoutFalseSafety(answer) {
 const placesOf = ({ crankshaft, pin }) => crankshaft?.satellite_positions_mm?.length || pin?.satellite_positions_mm?.length;
 
 const pairColumns = () => ["satellite", "pin"].map((name) => ({ title: quantityTitle(name) }));
-const phaseColumns = () => ["from", "to"].map((name) => ({ title: message(`figure.${name}`), unit: "°" }));
+const phaseColumns = () => ["from", "to"].map((name) => ({ title: message(`sweep.${name}`), unit: "°" }));
 
 /** When pairs drive; where forces are solved, when they carry. */
 function phaseTables({ cyclogram, real_cyclogram: real }) {

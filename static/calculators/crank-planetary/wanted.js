@@ -166,19 +166,17 @@ const TEETH = {
   ...asked("max_ring_backlash_arcmin", "max_transmission_error_arcmin", "min_ring_efficiency", "max_seat_pressure_MPa"),
 };
 
-const shaftBearing = (index, letter) => ({
-  [`crankshaft.bearings.${index}.name`]: { words: [`name_${letter}`, "crank"] },
-  [`crankshaft.bearings.${index}.kind`]: { default: "ball", when: [`crankshaft.bearings.${index}.name`, undefined, ""], words: [`kind_${letter}`, "crank"] },
-  [`crankshaft.bearings.${index}.dynamic_rating_N`]: { words: [`rating_${letter}`, "crank"] },
-  [`crankshaft.bearings.${index}.static_rating_N`]: { ...rare, words: [`static_rating_${letter}`, "crank"] },
-  ...Object.fromEntries(["bore_diameter_mm", "outer_diameter_mm", "width_mm"].map((name) =>
-    [`crankshaft.bearings.${index}.${name}`, { ...rare, words: [`${name}_${letter}`, "crank"] }])),
-});
+const shaftBearing = (index, letter) => Object.fromEntries(Object.entries({
+  name: {},
+  kind: { default: "ball", when: [`crankshaft.bearings.${index}.name`, undefined, ""] },
+  dynamic_rating_N: {},
+  static_rating_N: rare, bore_diameter_mm: rare, outer_diameter_mm: rare, width_mm: rare,
+}).map(([name, own]) => [`crankshaft.bearings.${index}.${name}`, { ...own, words: [name, "crank", { letter }] }]));
 const CRANK = {
   "crankshaft.satellite_positions_mm": { required: true, follows: onShaft, words: ["satellites", "crank"] },
   "crankshaft.bearing_positions_mm": { required: true, follows: besideSatellites },
-  ...shaftBearing(0, "a"),
-  ...shaftBearing(1, "b"),
+  ...shaftBearing(0, "A"),
+  ...shaftBearing(1, "B"),
   "crankshaft.satellite_mass_kg": {},
   ...each("crankshaft", rare, "counterweights", "rotor_mass_kg", "eccentric_diameter_mm", "shaft_diameter_mm"),
   ...asked("max_unbalance_N", "max_unbalance_couple_Nm", "max_unbalance_share", "balance_grade_mm_per_s"),

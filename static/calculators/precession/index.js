@@ -148,7 +148,7 @@ export default {
   mend: async ({ post, input }) => ({ shaft_deflection: await post(PATH, shaftBody(input, "fixes")) }),
 
   verdict: ({ contact_line: line, meshing_load: load, shaft_deflection: shaft }) => [
-    statedCell(line, "total_length_mm", () => message("verdict.lines", { count: line.lines.length }), message("verdict.lineLength")),
+    statedCell(line, "total_length_mm", () => message("line.rollers", { count: line.lines.length }), message("verdict.lineLength")),
     statedCell(load, "max_line_load_N_per_mm", () => message("verdict.meshForce", { force: forceText(load.force_N) })),
     cell(quantityTitle("deflection_C_mm"), shaft, ({ deflection_C_mm: C, deflection_B_mm: B }) => ({
       ...stated(shaft, "deflection_C_mm", C.total),
