@@ -181,11 +181,13 @@ export function openWorkbench({ host, calculator, model, modelFor, client, examp
         places.show("answer");
         checks.show(code);
       },
-      /** The first check that waits for a value, else the first part that does. */
+      /** The first value that a part lacks: at the check that asks for it, else its field. Without parts, the first check that waits. */
       unknown({ parts = [] }) {
         places.show("answer");
-        const ask = checks.show() ? null : parts.map(partRow).find((part) => part.ask)?.ask;
-        if (ask) lead(entryOf(model, ask));
+        const path = parts.map(partRow).find(({ status, ask }) => status === "open" && ask)?.ask;
+        const ask = path && entryOf(model, path);
+        if (!ask) checks.show();
+        else if (!checks.asks(ask)) lead(ask);
       },
       scoped: (parts) => apply({ "/requirements/scope": parts }),
     },

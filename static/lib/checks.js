@@ -177,9 +177,15 @@ export function fixRow(fix, fieldAt, { checks = [], parts }) {
   };
 }
 
-/** The check that decides: the first that is not known where the verdict is incomplete, else the one that governs. */
+/**
+ * The check that decides: the first that is not known where the verdict is incomplete, else the one that governs; where
+ * that holds, the first yield of plastic, which is necessary and not enough, if more of its limit is used.
+ */
 export function decisive({ verdict, governing, parts, checks = [] }) {
-  return checks.find(({ code, status }) => (verdict === "incomplete" && !parts ? status === "not_checked" : code === governing));
+  if (verdict === "incomplete" && !parts) return checks.find(({ status }) => status === "not_checked");
+  const own = checks.find(({ code }) => code === governing);
+  return own && own.status !== "pass" ? own : checks.filter(({ reason, utilisation }) => reason?.code === "necessary_only" && utilisation !== undefined)
+    .reduce((worst, check) => (check.utilisation > (worst?.utilisation ?? 0) ? check : worst), own);
 }
 
 /** Whether a check hangs on the torque. */
@@ -193,7 +199,7 @@ export function verdictSentence(judged, titles) {
   const { largest_torque_Nm: largest } = judged;
   const allowed = largest !== undefined && message("checks.largestTorque", { torque: formatQuantity(largest, "N·m") });
   const cold = coldYield(judged)?.sentence;
-  const governs = row?.judged && row.value && row.limit ? ofTitle(row.title, `${row.value} (${row.limit})`) : [row?.title, row?.reason].filter(Boolean).join(": ");
+  const governs = row?.value && row.limit ? ofTitle(row.title, `${row.value} (${row.limit})`) : [row?.title, row?.reason].filter(Boolean).join(": ");
   return [`${message(`verdictWord.${word}`)}.`, governs && `${governs}.`, allowed && `${allowed}.`, cold].filter(Boolean).join(" ");
 }
 

@@ -67,6 +67,8 @@ function linesOf(points, [field, beside], quantity, [now], theme) {
   const names = [...new Set(known.map(nameOf))];
   const lines = beside ? [...new Set(points.map(({ z }) => z))].map((z) => points.filter((point) => point.z === z)) : [points];
   const impossible = points.filter(({ status }) => status === "impossible");
+  const symbolOf = ({ status }) => (status === "fail" ? "x" : "circle");
+  const meant = (status) => ({ ...marks(message(`status.${status}`), [], ink, symbolOf), x: [null], y: [null], marker: { color: ink, size: 10, symbol: symbolOf({ status }) }, hoverinfo: "skip" });
   const shape = (place) => ({ type: "line", xref: "x", yref: "y", line: { color: line, width: 1, dash: "dash" }, ...place });
   return {
     data: [
@@ -74,7 +76,8 @@ function linesOf(points, [field, beside], quantity, [now], theme) {
         type: "scatter", mode: "lines", x: own.map(across), y: own.map((point) => (known.includes(point) ? up(point) : null)),
         line: { color: beside ? colorOf(theme, Math.max(0, names.indexOf(nameOf(own[0])))) : ink, width: 1.5 }, hoverinfo: "skip", showlegend: false,
       })),
-      ...names.map((name, i) => marks(name, known.filter((point) => nameOf(point) === name), colorOf(theme, i), ({ status }) => (status === "fail" ? "x" : "circle"))),
+      ...names.map((name, i) => marks(name, known.filter((point) => nameOf(point) === name), colorOf(theme, i), symbolOf)),
+      ...(known.some(({ status }) => status === "fail") ? ["pass", "fail"].map(meant) : []), // in the legend alone
       ...(impossible.length > 0 ? [marks(message("verdictWord.impossible"), impossible, bad, () => "x-open")] : []),
     ],
     layout: layoutOf(look, {
@@ -115,8 +118,8 @@ function contourOf(points, columns, limit) {
 
 /**
  * A cell for each point: its colour is the check that governs, the deeper the more is used, its text how much in %.
- * Hatches tell cells that just work, fail or are impossible; a line is where all of the limit is used, a star the design
- * at hand.
+ * Hatches tell cells that just work, fail or are impossible; a line is where all of the limit is used, a frame the cell of
+ * the design at hand.
  */
 function mapOf(points, fields, { unit }, now, theme) {
   const look = LOOKS[theme];
@@ -141,7 +144,8 @@ function mapOf(points, fields, { unit }, now, theme) {
   const depth = ({ y }) => PALE + (DEEP - PALE) * Math.min(1, y / LIMIT);
   const names = [...new Set(known.map(({ check }) => check))];
   const contour = contourOf(points, up.of.size, LIMIT).map(place);
-  const here = [place(now)].filter((at) => [across, up].every(({ reach: [from, to] }, k) => at[k] !== null && at[k] >= from && at[k] <= to));
+  const within = (own, at) => [across, up].every(({ of }, k) => at[k] !== null && of.get(own[k])[0] <= at[k] && at[k] <= of.get(own[k])[1]);
+  const here = points.find((point) => within(place([point.x, point.z]), place(now)));
   const placed = (places) => ({ x: places.map(([x = null]) => x), y: places.map(([, y = null]) => y) });
   return {
     data: [
@@ -152,8 +156,7 @@ function mapOf(points, fields, { unit }, now, theme) {
       ...HATCHES.map(([status, shape]) =>
         cells(wordOf({ status }), points.filter((point) => point.status === status), hatch(shape, status === "impossible" ? bad : ink), isKnown)),
       { type: "scatter", mode: "lines", name: message("sweep.limit"), ...placed(contour), line: { color: ink, width: 2.5 }, hoverinfo: "skip" },
-      { type: "scatter", mode: "markers", name: message("sweep.now"), ...placed(here), hoverinfo: "skip",
-        marker: { symbol: "star", size: 14, color: "#ffffff", line: { color: "#000000", width: 1.5 } } },
+      cells(message("sweep.now"), here ? [here] : [], { color: clear, line: { color: ink, width: 3 } }, () => false),
     ].filter((trace) => trace.x.length > 0),
     layout: layoutOf(look, {
       barmode: "overlay", uniformtext: { minsize: TEXT_PX, mode: "hide" },

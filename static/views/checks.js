@@ -125,17 +125,26 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
     if (row) opened[row.querySelector("details").open ? "delete" : "add"](row.dataset.code); // it turns after the click
   });
 
+  function lead(row, place) {
+    row.closest(".more")?.setAttribute("open", "");
+    place.focus();
+    row.scrollIntoView({ block: "center" });
+  }
+
   return {
     root,
+    /** Leads to where a field is asked for, if a check does. */
+    asks(path) {
+      const button = root.querySelector(`[data-ask="${path}"]`);
+      if (button) lead(button.closest(".check"), button);
+      return Boolean(button);
+    },
     /** Leads to a check; of none that is named to the first that is not known. */
     show(code = root.querySelector('.check[data-status="not_checked"]')?.dataset.code) {
       const row = root.querySelector(`[data-code="${code}"]`);
-      if (!row) return false;
-      row.closest(".more")?.setAttribute("open", "");
+      if (!row) return;
       row.querySelector("details").open = true;
-      row.querySelector("summary").focus();
-      row.scrollIntoView({ block: "center" });
-      return true;
+      lead(row, row.querySelector("summary"));
     },
     update(state) {
       rows(state);

@@ -1,5 +1,5 @@
 /** Kept designs beside the one at hand: inputs that differ, results and their differences. */
-import { ASIDE, flattened, judgedOf, levelOfWord, listedOf, percent, titleOf, wordOf } from "../lib/checks.js";
+import { ASIDE, decisive, flattened, judgedOf, levelOfWord, listedOf, percent, titleOf, wordOf } from "../lib/checks.js";
 import { element, fill, html } from "../lib/html.js";
 import { ALL, formatNumber, formatQuantity, quantityParts, unitOf } from "../lib/format.js";
 import { message, quantityTitle } from "../messages/index.js";
@@ -82,13 +82,12 @@ function decisiveRows(calculator, designs, base) {
   const all = designs.map(({ answer }) => judgedOf(calculator, answer));
   if (!all.some(Boolean)) return [];
   const text = (of) => all.map((judged) => (judged ? of(judged) : { text: "–" }));
-  const governing = (judged) => judged.checks?.find(({ code }) => code === judged.governing);
   return [
     { title: message("verdict.label"), cells: all.map((judged, i) => (judged ? verdictCell(wordOf(judged), designs[i].results?.verdict) : { text: "–" })) },
     {
       title: message("checks.governing"),
       cells: text((judged) => {
-        const check = governing(judged);
+        const check = decisive(judged);
         return { text: check ? `${titleOf(check)}${check.utilisation === undefined ? "" : `, ${percent(check.utilisation)}`}` : "–" };
       }),
     },

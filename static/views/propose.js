@@ -32,9 +32,10 @@ const materialOf = ({ contact: { hole_material: name } }) => said("materials", n
 
 function proposalMarkup(one, { nameOf, pictureOf }) {
   const [word, name] = [one.verdict, nameOf(one.design)];
+  const limits = "yield_torque_Nm" in one.columns ? "contact_static_cold" : one.governing; // of plastic its first yield
   return html`${pictureOf(one.design)}<div><h3>${name}</h3>
       <p class="word ${levelOfWord(word)}">${sign(levelOfWord(word))}${wordText({ verdict: word, parts: [] })}</p>
-      <p class="note">${[word !== "pass" && one.governing && titleOf({ code: one.governing }), materialOf(one.design)].filter(Boolean).join(" · ")}</p>
+      <p class="note">${[word !== "pass" && limits && titleOf({ code: limits }), materialOf(one.design)].filter(Boolean).join(" · ")}</p>
       <button type="button" class="primary" aria-label="${message("compare.openWhat", { name })}">${message("compare.open")}</button></div>
     <dl>${cellsOf(one).map(([title, value]) => html`<div><dt>${title}</dt><dd>${value}</dd></div>`)}</dl>`;
 }

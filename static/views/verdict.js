@@ -67,15 +67,18 @@ function usualOf({ shown, usual }, calculator) {
   return usuallyOf(calculator, shown.answer).length > 0 && { sought: true };
 }
 
+/** Of plastic: when it first yields, in place of a largest torque, which nobody knows. */
+const coldOf = ({ numbers }, judged) => judged && numbers !== "part" && coldYield(judged);
+
+const coldMarkup = (cold) => html`${cold && html`<details class="cold"><summary>${cold.short}</summary>${cold.sentence} ${cold.by}</details>`}`;
+
 /** `sought`: it is not known yet. */
-function torqueMarkup({ numbers }, judged, usual, sought) {
+function torqueMarkup({ numbers }, judged, usual, sought, cold) {
   const label = html`<p class="label">${quantityTitle("largest_torque_Nm")}</p>`;
   const { largest_torque_Nm: largest } = judged ?? {};
-  const cold = judged && numbers !== "part" && coldYield(judged); // of plastic nobody knows a largest one
   if (cold) {
     const { value, unit } = quantityParts(cold.torque, "N·m", 3);
-    return html`${label}<p><span class="figures">${value}</span> <span class="figures-unit">${unit}</span></p>
-      <details class="note cold"><summary>${cold.short}</summary>${cold.sentence} ${cold.by}</details>${usual && usualMarkup(usual)}`;
+    return html`${label}<p><span class="figures">${value}</span> <span class="figures-unit">${unit}</span></p>${usual && usualMarkup(usual)}`;
   }
   if (sought) return html`${label}<p class="sought"><span class="figures">…</span> <span class="figures-unit">${shownUnit("N·m")}</span></p>${usual && usualMarkup(usual)}`;
   if (largest === undefined) return html`${label}<p class="note">${judged && numbers !== "part" ? torqueUnknown(judged) : "–"}</p>${usual && usualMarkup(usual)}`;
@@ -105,7 +108,7 @@ function partsMarkup(parts, known) {
 export function createVerdict({ calculator, titles, scope: all = [], on }) {
   const root = element(html`
     <section class="verdict card" aria-label="${message("verdict.label")}">
-      <div class="judged" tabindex="-1"></div><div class="governing"></div><div class="torque"></div>
+      <div class="judged" tabindex="-1"></div><div class="torque"></div><div class="yields"></div><div class="governing"></div>
       ${all.length > 0 && html`<div class="parts" role="group" aria-label="${message("parts.label")}"></div>`}
     </section>`);
   const part = (name) => root.querySelector(`.${name}`);
@@ -132,9 +135,11 @@ export function createVerdict({ calculator, titles, scope: all = [], on }) {
       const judged = judgedOf(calculator, answerNow(state));
       const sought = judged && isLimited(calculator, judged) && state.limit?.of.answer !== state.shown.answer;
       const stands = standing(state);
+      const cold = coldOf(stands, judged);
       fill(part("judged"), wordMarkup(stands, judged, titles));
       fill(part("governing"), governingMarkup(judged, titles));
-      fill(part("torque"), torqueMarkup(stands, judged, stands.numbers === "fresh" && usualOf(state, calculator), sought));
+      fill(part("torque"), torqueMarkup(stands, judged, stands.numbers === "fresh" && usualOf(state, calculator), sought, cold));
+      fill(part("yields"), coldMarkup(cold));
       judgedNow = judged;
       if (all.length === 0) return;
       const parts = stands.numbers !== "part" && judged?.parts;

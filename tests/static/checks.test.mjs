@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { assumedIn, checkRow, fixRow, isLimited, judgedOf, lookedAt, notConsidered, partRow, sizedBy, torqueNote, torqueUnknown, unknownIn, verdictSentence, wordNote, wordOf, wordText } from "../../static/lib/checks.js";
+import { assumedIn, checkRow, decisive, fixRow, isLimited, judgedOf, lookedAt, notConsidered, partRow, sizedBy, torqueNote, torqueUnknown, unknownIn, verdictSentence, wordNote, wordOf, wordText } from "../../static/lib/checks.js";
 import { solutionOf, solveBody, targetsOf } from "../../static/lib/sizing.js";
 import { useLanguage } from "./service.mjs";
 
@@ -97,6 +97,17 @@ test("what is incomplete counts what is not known, or says that nothing could br
   assert.deepEqual([wordText({ ...open, parts }), unknownIn({ ...open, parts }), unknownIn(open)], ["Incomplete (1 of 3)", 2, 3]);
   assert.equal(wordNote({ verdict: "pass", counts: { not_checked: 0 }, checks: [] }), "");
   assert.match(wordNote({ verdict: "fail", counts: { not_checked: 2 }, checks: [{ impossible: true }] }), /cannot be built/);
+});
+
+test("of plastic the first yield decides where it uses more than the check that governs and holds", () => {
+  const code = (checks, verdict = "incomplete") => decisive({ verdict, governing: "new_life", parts: [], checks })?.code;
+  const yields = (utilisation) => ({ code: "new_yield", status: "not_checked", reason: { code: "necessary_only" }, utilisation });
+  const life = { code: "new_life", status: "pass", utilisation: 0.2 };
+  assert.equal(code([life, yields(0.9), { ...yields(0.5), code: "other_yield" }]), "new_yield");
+  assert.equal(code([life, yields(0.1), UNKNOWN]), "new_life");
+  assert.equal(code([{ ...life, status: "fail", utilisation: 0.2 }, yields(0.9)], "fail"), "new_life");
+  assert.equal(code([yields(0.9)]), "new_yield");
+  assert.equal(decisive({ verdict: "incomplete", checks: [life, UNKNOWN] }).code, UNKNOWN.code);
 });
 
 test("a marginal verdict says by what it is one; which parts were looked at is said apart", () => {

@@ -71,17 +71,26 @@ test("the line is where all of the limit is used, between points that have a num
   assert.deepEqual(x.map((one) => one === null), [false, false, true, false, false, true, false, false, true]); // three triangles
 });
 
-test("the design at hand is a star, and none where it lies elsewhere", () => {
-  assert.deepEqual([traces(mapped()).get("Design at hand")].map(({ x, y }) => [x, y]), [[[6], [3]]]);
+test("the cell of the design at hand is framed and its number stays, and none where it lies elsewhere", () => {
+  for (const now of [[6, 3], [5.2, 3.4]]) {
+    const { x, width, base, y, text, customdata } = traces(mapped(now)).get("Design at hand");
+    assert.deepEqual([x, width, base, y, text, customdata], [[6.5], [3], [2.5], [1], [""], [2]]);
+  }
   for (const now of [[13, 3], [6, 5], [undefined, 3]]) assert.equal(traces(mapped(now)).get("Design at hand"), undefined);
 });
 
-test("cells, line and star change their units together", () => {
+test("lines tell in the legend what a dot and a cross mean", () => {
+  const legend = (points) => sweepChart(points, FIELDS.slice(0, 1), USED, [6], "light").data.filter(({ x }) => x[0] === null).map(({ name, marker }) => [name, marker.symbol]);
+  assert.deepEqual(legend(POINTS), [["met", "circle"], ["not met", "x"]]);
+  assert.deepEqual(legend(POINTS.filter(({ status }) => status !== "fail")), []);
+});
+
+test("cells, line and frame change their units together", () => {
   setUnits("us");
   const chart = mapped();
-  const [star, cells, line] = ["Design at hand", "Contact pressure of the hole", "100 % of the limit"].map((name) => traces(chart).get(name));
+  const [frame, cells, line] = ["Design at hand", "Contact pressure of the hole", "100 % of the limit"].map((name) => traces(chart).get(name));
   const inches = (numbers) => numbers.map((one) => Math.round(one * 25.4e6) / 1e6);
-  assert.deepEqual(inches(star.x), [6]);
+  assert.deepEqual(inches(frame.x), [6.5]);
   assert.deepEqual(inches(cells.x), [4, 4, 6.5, 6.5]);
   assert.ok(inches(line.x.filter((one) => one !== null)).includes(5));
   assert.match(chart.layout.xaxis.title.text, /in$/);
