@@ -12,6 +12,7 @@ import { CALCULATORS, calculatorOf } from "./calculators/index.js";
 import { createClient, newestOnly } from "./lib/api.js";
 import { createDesigns } from "./lib/designs.js";
 import { stateFromInput } from "./lib/form_state.js";
+import { element, html } from "./lib/html.js";
 import { formModel } from "./lib/schema_form.js";
 import { lasting, parsed, session } from "./lib/storage.js";
 import { setDiameters, setUnits, SYSTEMS } from "./lib/units.js";
@@ -308,6 +309,19 @@ for (const event of ["resize", "scroll"]) {
     document.documentElement.style.setProperty("--covered", `${Math.max(0, innerHeight - height - offsetTop)}px`);
   });
 }
+/** What a click needs and could not be loaded is said, until the page is loaded anew: browsers ask for a module once. */
+addEventListener("unhandledrejection", (event) => {
+  if (!/module/i.test(event.reason?.message)) return;
+  event.preventDefault();
+  tell(message("page.unloaded"));
+  clearTimeout(telling);
+  const again = element(html`<button type="button" class="link">${message("state.again")}</button>`);
+  again.addEventListener("click", () => {
+    addressing.now();
+    location.reload();
+  });
+  live.append(" ", again);
+});
 addEventListener("pagehide", () => bench?.close());
 addEventListener("pageshow", ({ persisted }) => persisted && rebuild()); // back from another page, as it was left
 

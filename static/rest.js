@@ -58,9 +58,6 @@ export function createRest({ store, inputs, outputs, panels, client, designs, ve
       if (!closed) store.show([view]);
       return view;
     });
-    exploring.catch(() => {
-      exploring = null; // the next click tries again
-    });
     return exploring;
   }
   store.show([
@@ -79,7 +76,7 @@ export function createRest({ store, inputs, outputs, panels, client, designs, ve
     close() {
       closed = true;
       sizing.close();
-      exploring?.then(({ close }) => close());
+      exploring?.then(({ close }) => close(), () => {});
       wanted.close();
       worked.close();
       for (const figure of measured) figure.close();

@@ -21,10 +21,8 @@ export function createWanted({ calculator, panels, ...parts }) {
 
   async function open(group) {
     const loading = [group.load(), group.section ? {} : import("../besides.js")];
-    const loaded = await Promise.all(loading).catch(() => null);
-    if (!loaded) group.loading = null; // the next change tries again
-    if (!loaded || closed) return;
-    const [[logic, { createView }], { createBeside }] = loaded;
+    const [[logic, { createView }], { createBeside }] = await Promise.all(loading);
+    if (closed) return;
     const shows = (state) => group.shows(state) && group.id === state.tab;
     group.asking = createBeside?.({ ...parts, ...group, logic, shows });
     group.view = createView({ ...parts, ...group, logic, open: () => panels.open(group.id) });

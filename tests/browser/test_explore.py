@@ -117,8 +117,8 @@ def test_the_check_that_governs_over_two_inputs_is_a_map(page: Page, service: st
     expect(impossible).to_have_count(3)
     for word in ("Contact pressure of the hole", "Fails", "100 % of the limit", "Design at hand"):
         expect(sweep.locator(".legend")).to_contain_text(word)
-    star = sweep.locator(".scatterlayer .point")
-    before = star.bounding_box()
+    frame = sweep.locator(".barlayer .trace").last.locator(".point path")
+    before = frame.bounding_box()
     impossible.nth(2).hover(force=True)
     expect(sweep.locator(".hoverlayer")).to_contain_text("10\u00a0mm, 2: –Impossible: Dead centres")
     cells.nth(5).hover(force=True)
@@ -128,8 +128,8 @@ def test_the_check_that_governs_over_two_inputs_is_a_map(page: Page, service: st
     expect(box(page, "mechanism.pins")).to_have_value("4")
     settled(page)
     page.wait_for_function(
-        """([star, x]) => star.getBoundingClientRect().x > x + 20""",
-        arg=[star.element_handle(), before["x"]] if before else None,
+        """([frame, x]) => frame.getBoundingClientRect().x > x + 20""",
+        arg=[frame.element_handle(), before["x"]] if before else None,
     )
     expect(sweep.locator(".state")).to_have_text("")  # it is of this design as well
     sweep.get_by_role("button", name="Table").click()

@@ -19,6 +19,7 @@ from tests.browser.calculator_page import (
     choose,
     chosen,
     first_example,
+    from_menu,
     number,
     reopen,
     result,
@@ -28,6 +29,7 @@ from tests.browser.calculator_page import (
     tab,
     verdict,
 )
+from tests.browser.conftest import Watch
 from tests.inputs.children import ran
 
 TORQUE = "load.output_torque_Nm"
@@ -228,3 +230,36 @@ def test_designs_stand_side_by_side_with_their_curves(page: Page, service: str) 
     expect(box(page, TORQUE)).to_have_value(f"{kept:g}")
     settled(page)
     assert result(page, "peak_force_N") == pytest.approx(cells[1], rel=1e-4)
+
+
+def test_a_part_that_does_not_load_is_said_and_the_page_is_loaded_anew(
+    page: Page, service: str, watch: Watch
+) -> None:
+    """Chromium keeps that a module could not be loaded as long as the page."""
+    show(page, service, "crank-planetary")
+    box(page, TORQUE).fill("270")
+    settled(page)
+    missing = ("views/large.js", "views/start.js", "views/explore.js", "views/real.js")
+    for name in missing:
+        page.route(f"**/{name}", lambda route: route.abort())
+    again = page.locator("#live.told").get_by_role("button", name="Try again")
+    tries = (
+        lambda: page.locator(".mechanism .enlarge").click(),
+        lambda: page.get_by_role("button", name="New").click(),
+        lambda: from_menu(page, "contact.pin_radius_mm", "Sweep"),
+        lambda: page.locator('[data-path="real.on"] input').check(),
+    )
+    for attempt in tries:
+        page.evaluate("() => document.querySelector('#live').replaceChildren()")
+        attempt()
+        expect(again).to_be_visible()
+        expect(page.locator("#live")).to_contain_text("could not be loaded")
+    for name in missing:
+        page.unroute(f"**/{name}")
+    again.click()
+    expect(again).to_have_count(0)
+    settled(page)
+    expect(box(page, TORQUE)).to_have_value("270")
+    page.get_by_role("button", name="New").click()
+    expect(page.locator("#start")).to_be_visible()
+    watch.complaints = [line for line in watch.complaints if "ERR_FAILED" not in line]
