@@ -103,14 +103,7 @@ async def test_members_are_said_where_the_pins_are_not_the_output(api):
 WHOLE = design() | {
     "contact": CONTACT | {"hole_clearance_mm": 0.02, "pin_material": "steel_bearing",
                           "hole_material": "steel_case_hardened"},
-    "gear": {"kind": "involute", "module_mm": 1.75, "teeth_difference": 2,
-             "reference_pressure_angle_deg": 20},
-    "bearing": {"kind": "ball", "dynamic_rating_N": 60000, "static_rating_N": 40000},
-    "crankshaft": {"satellite_positions_mm": [20, 42], "bearing_positions_mm": [0, 62],
-                   "satellite_mass_kg": 1e-9,  # whose force the bearings do not feel
-                   "bearings": [{"kind": "ball", "dynamic_rating_N": 30000}] * 2},
-    "requirements": {"max_backlash_arcmin": 100, "max_lost_motion_arcmin": 100,
-                     "scope": ["contact", "losses"]},
+    "requirements": {"scope": ["contact", "losses"]},
 }  # fmt: skip
 
 
@@ -122,15 +115,9 @@ def of(output, **changes):
     return body
 
 
-@pytest.fixture
-def sections():
-    return ["members", "load_sharing", "hertz", "output_efficiency", "satellite_bearing",
-            "crankshaft", "checks", "largest_torque"]  # fmt: skip
-
-
-async def test_one_design_run_with_pins_and_with_the_ring_as_output(api, sections):
-    """Powers and speeds close; with the torque on the pins alike all inside is alike, but for the
-    speed; play and stiffness are seen at the ring."""
+async def test_one_design_run_with_pins_and_with_the_ring_as_output(api):
+    """Powers and speeds close; play and stiffness are seen at the ring."""
+    sections = ["members", "load_sharing", "output_efficiency", "largest_torque"]
     u, share = 20, 20 / 21
     pins = await api.answer(PATH, of("pins") | {"include": sections})
     load = {"output_torque_Nm": 500 / share, "input_speed_rpm": 1500 / share}
@@ -156,24 +143,6 @@ async def test_one_design_run_with_pins_and_with_the_ring_as_output(api, section
         one["input_torque_ripple_Nm"], rel=SEARCHED
     )
 
-    same = ("mean_loss_W", "sliding_speed_m_per_s", "relative_speed_rpm", "peak_pv_MPa_m_per_s")
-    for name in same:
-        first, second = (each["output_efficiency"][name] for each in (pins, ring))
-        assert second == pytest.approx(first, rel=EXACT), name
-    lost = [1 / each["output_efficiency"]["efficiency"] - 1 for each in (pins, ring)]
-    assert lost[1] == pytest.approx(lost[0] * u / (u + 1), rel=EXACT)
-    lives = [each["satellite_bearing"]["satellites"][0]["life_h"] for each in (pins, ring)]
-    assert lives[1] == pytest.approx(lives[0], rel=EXACT)
-    shafts = [each["crankshaft"] for each in (pins, ring)]  # whose speed is that of the crank
-    lives = [each["bearings"][0]["basic_life_h"] for each in shafts]
-    assert lives[1] == pytest.approx(lives[0] * share, rel=EXACT)
-    couples = [each["balance"]["couple_Nm"] for each in shafts]
-    assert couples[1] == pytest.approx(couples[0] / share**2, rel=EXACT)
-
-    checks = [{each["code"]: each for each in answer["checks"]} for answer in (pins, ring)]
-    for code in ("backlash", "lost_motion"):
-        first, second = (each[code]["value"] for each in checks)
-        assert second == pytest.approx(first * u / (u + 1), rel=SEARCHED), code
     # as much torque more as the ring has
     assert ring["largest_torque_Nm"] == pytest.approx(pins["largest_torque_Nm"] / share, rel=1e-4)
 
@@ -370,19 +339,6 @@ async def test_a_loose_coupling_is_solved_and_drives_with_what_it_is_driven(api)
         api, "load-sharing", body | {"crank_support": {"stiffness_N_per_mm": 1e4}}
     )
     assert found[:2] == ("/crank_support", "of_other_output")
-
-
-async def test_a_seat_that_turns_with_the_crank_spares_the_bearing(api):
-    balls = [
-        {"kind": "ball", "dynamic_rating_N": 30000, "in": seat} for seat in ("ring", "carrier")
-    ]
-    body = of("ring", crankshaft={"bearings": balls})
-    bearings = (await api.answer(PATH, body))["crankshaft"]["bearings"]
-    lives = [each["basic_life_h"] for each in bearings]
-    usual = (await api.answer(PATH, of("ring")))["crankshaft"]["bearings"]
-    still = [each["basic_life_h"] for each in usual]
-    assert lives[0] == pytest.approx(still[0] * 21 / 20, rel=SAME)
-    assert lives[1] == pytest.approx(still[1], rel=SAME)
 
 
 def test_an_answer_leaves_out_what_may_be_absent_and_nothing_else() -> None:

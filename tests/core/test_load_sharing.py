@@ -1,4 +1,4 @@
-"""Invariants of the load sharing: equilibrium, unilateral contacts, symmetry."""
+"""Load sharing against its definition in rational numbers; limits and refusals."""
 
 import math
 from fractions import Fraction
@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from core.errors import InvalidInput
 from core.load_sharing import share_load
-from core.precision import CONVERGED, SAME
+from core.precision import CONVERGED
 
 GAPS = st.lists(st.floats(-1e-3, 1e-3), min_size=1, max_size=40)
 LOADS = st.floats(1e-6, 1e6)
@@ -35,28 +35,11 @@ def test_forces_are_the_exact_ones(total: float, stiffness: float, gaps: list[fl
     largest = max(exact)
     for force, true in zip(sharing.forces, exact, strict=True):
         assert abs(Fraction(force) - true) <= sharing.relative_error * largest
-
-
-@given(total=LOADS, stiffness=STIFFNESSES, gaps=GAPS)
-def test_equilibrium_and_unilateral(total: float, stiffness: float, gaps: list[float]) -> None:
-    sharing = share_load(total=total, stiffness=stiffness, gaps=gaps)
-    assert math.fsum(sharing.forces) == pytest.approx(total, rel=CONVERGED)
-    assert min(sharing.forces) >= 0
-    assert sharing.loaded == sum(force > 0 for force in sharing.forces) >= 1
-    assert max(sharing.forces) == sharing.forces[gaps.index(min(gaps))]
-    for force, gap in zip(sharing.forces, gaps, strict=True):
-        if force == 0:
-            assert gap >= sharing.displacement * (1 - math.copysign(1e-15, sharing.displacement))
-
-
-@given(total=LOADS, stiffness=STIFFNESSES, gaps=GAPS, data=st.data())
-def test_order_does_not_matter(
-    total: float, stiffness: float, gaps: list[float], data: st.DataObject
-) -> None:
-    order = data.draw(st.permutations(range(len(gaps))))
-    straight = share_load(total=total, stiffness=stiffness, gaps=gaps)
-    turned = share_load(total=total, stiffness=stiffness, gaps=[gaps[i] for i in order])
-    assert turned.forces == tuple(straight.forces[i] for i in order)
+    assert sharing.loaded == sum(force > 0 for force in sharing.forces)
+    assert sharing.largest_force == pytest.approx(max(sharing.forces), rel=CONVERGED)
+    moved = largest / Fraction(stiffness) + Fraction(min(gaps))
+    size = max(abs(sharing.displacement), *map(abs, gaps))
+    assert abs(Fraction(sharing.displacement) - moved) <= sharing.relative_error * size
 
 
 @pytest.mark.parametrize("base", [0.0, 1.0, -1e3, 1e6])
@@ -74,18 +57,6 @@ def test_a_tiny_load_closes_one_contact_of_a_huge_spread() -> None:
     sharing = share_load(total=1e-200, stiffness=1e9, gaps=[3e-4, -1e300, 1e300, 1e-4])
     assert sharing.forces == (0.0, 1e-200, 0.0, 0.0)
     assert sharing.loaded == 1
-
-
-def test_the_force_is_continuous_where_a_contact_unloads() -> None:
-    gap = 1e-5
-    limit = 1e6 * gap  # load at which the second contact begins to carry
-    below, above = (
-        share_load(total=limit * (1 + side * 1e-12), stiffness=1e6, gaps=[0.0, gap])
-        for side in (-1, 1)
-    )
-    assert below.loaded == 1
-    assert above.loaded == 2
-    assert above.forces[0] == pytest.approx(below.forces[0], rel=3 * SAME)
 
 
 def test_no_load() -> None:

@@ -24,7 +24,6 @@ precession         contact lines and meshing load by Carlson's integrals and qua
 shaft              deflection by Mohr's integral
 condition, work    what rounding of the input may do to a result, and what work something is
 seeds              how many random cases are tried
-fuzz_invariants    what the mechanics demands of any answer
 answers            requests as people type them, and the exact value of every number of the answer
 """
 
