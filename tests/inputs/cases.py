@@ -1,14 +1,12 @@
-"""Random mechanisms, gears and rollers, with the awkward ones well represented."""
+"""Random mechanisms, with the awkward ones well represented."""
 
 import math
 import random
-from typing import Any
 
 from mpmath import mp, mpf
 
 from core.output.mechanism import Mechanism
 from tests.oracles.crank_planetary import largest_gap
-from tests.oracles.precession import scale
 
 EXPONENTS = [0.0, 1e-9, 0.3, 1.0, 10 / 9, 1.5, 3.0, 20.0, 120.0, 500.0]
 
@@ -54,24 +52,3 @@ def random_mechanism(seed: int, largest_pins: int = 40) -> tuple[Mechanism, floa
         exponent = r.choice([*EXPONENTS, 10 ** r.uniform(-3, 2.7)])
         if largest_gap(pins, mechanism.crank_angles) < mp.pi - mpf("1e-3"):
             return mechanism, exponent
-
-
-def random_gear(r: random.Random) -> dict[str, Any]:
-    theta = 10 ** r.uniform(-4, math.log10(1.5))
-    difference = r.choice([-1, 1]) * 10 ** r.uniform(-9, 0)
-    circle = 10 ** r.uniform(-3, 0)
-    return {
-        "roller_circle_radius": circle,
-        "roller_radius": circle * 10 ** r.uniform(-3, -0.01),
-        "nutation_angle": theta,
-        "ratio_u12": math.cos(theta) - difference,
-    }
-
-
-def random_position(r: random.Random) -> float:
-    small = 10 ** r.uniform(-6, math.log10(math.pi / 2))
-    return r.choice([-1, 1]) * r.choice([small, math.pi - small])
-
-
-def curve_scale(gear: dict[str, Any]) -> mpf:
-    return scale(gear["roller_circle_radius"], gear["nutation_angle"], gear["ratio_u12"])
