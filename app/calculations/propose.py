@@ -355,7 +355,7 @@ def _kept(body: Values) -> tuple[float, float | None]:
     """
     asked = ToleranceStudyRequest.model_validate(body)
     found = tolerance_study(asked.study(untold), errors=False)
-    kept = asked.kept(*asked.names, found)
+    kept = asked.kept(asked.names[0], found)
     return float(found.fits.mean()), kept[0]["value"] if kept else None
 
 
