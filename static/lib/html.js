@@ -37,3 +37,11 @@ export function fill(host, markup) {
   host.filledWith = text;
   host.innerHTML = text;
 }
+
+/** Tells `act(value, part)` of clicks in parts of `host` that have a value of that data attribute. */
+export function clicks(host, name, act) {
+  host.addEventListener("click", ({ target }) => {
+    const part = target.closest(`[data-${name}]`);
+    if (part?.dataset[name]) act(part.dataset[name], part);
+  });
+}

@@ -95,6 +95,12 @@ export function setArrow({ root, shaft, head }, from, to, shown) {
   head.setAttribute("d", headPath(from, to, 1.25));
 }
 
+/** What is built in: hatched on the side away from the part. */
+export function wall([x, y], half, side, count = 7) {
+  const marks = Array.from({ length: count }, (_, i) => y - half + (i * 2 * half) / (count - 1));
+  return html`<path class="clamp" d="M${x} ${y - half}V${y + half}${marks.map((mark) => `M${x} ${mark}l${-8 * side} 8`).join("")}"/>`;
+}
+
 const SHORT = 3.2 * HEAD; // below this length the heads stand outside
 
 /**

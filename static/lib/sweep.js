@@ -3,7 +3,7 @@ import { judgedOf, pathOf, titleOf } from "./checks.js";
 import { ALL, formatNumber, formatQuantity, tidy, unitOf } from "./format.js";
 import { fieldsOf } from "./schema_form.js";
 import { designOf, targetsOf, valueIn } from "./sizing.js";
-import { shownUnit, shownValue } from "./units.js";
+import { shownValue } from "./units.js";
 import { message, quantityTitle, said } from "../messages/index.js";
 
 export const GOVERNING = "/checks/governing/utilisation";

@@ -1,5 +1,5 @@
 /** The bar over the page: what the design is called, whether the address has it, and the tools, each an icon and a word. */
-import { element, html } from "../lib/html.js";
+import { clicks, element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 
 const ICONS = {
@@ -22,7 +22,7 @@ export function createBar({ naming, tools, idle, on }) {
       ${DIALOGS.includes(id) && html`aria-haspopup="dialog"`} ${idle.includes(id) && html`disabled`}>
       <svg class="icon" viewBox="0 0 16 16" aria-hidden="true"><path d="${lines}"/></svg><span>${message(`bar.${id}`)}</span></button>`)]));
   tools.append(...buttons.values());
-  tools.addEventListener("click", ({ target }) => on[target.closest("[data-tool]")?.dataset.tool]?.());
+  clicks(tools, "tool", (id) => on[id]?.());
   naming.append(
     element(html`<input class="free-text" data-label="title" maxlength="80" autocomplete="off" spellcheck="false" aria-label="${message("bar.name")}">`),
     element(html`<span title="${message("bar.savedWhy")}">${message("bar.saved")}</span>`),

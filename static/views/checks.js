@@ -3,7 +3,7 @@
  * says why, by what formula, from where the limit is, and what mends it; those that hold are folded.
  */
 import { checkRow, decisive, fixRow, isMended, judgedOf, percent } from "../lib/checks.js";
-import { element, fill, html } from "../lib/html.js";
+import { clicks, element, fill, html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
 import { following, stale } from "../store.js";
 import { barMarkup, sign, symbolMarkup } from "./parts.js";
@@ -117,10 +117,9 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
     }
   });
 
+  clicks(root, "fix", (i) => on.fixed(list[i].sets));
+  clicks(root, "ask", (path) => on.asked(path));
   root.addEventListener("click", ({ target }) => {
-    const { fix, ask } = target.closest("[data-fix], [data-ask]")?.dataset ?? {};
-    if (fix) on.fixed(list[fix].sets);
-    if (ask) on.asked(ask);
     const row = target.closest("summary")?.closest(".check");
     if (row) opened[row.querySelector("details").open ? "delete" : "add"](row.dataset.code); // it turns after the click
   });

@@ -4,10 +4,10 @@
  */
 import { pairNames } from "../lib/chart.js";
 import { formatAngle } from "../lib/format.js";
-import { element, fill, html } from "../lib/html.js";
+import { clicks, element, fill, html } from "../lib/html.js";
 import { message, quantityTitle } from "../messages/index.js";
 import { drawable, following } from "../store.js";
-import { enlargeButton, olderMark } from "./parts.js";
+import { enlargeButton, olderMark, saveButtons } from "./parts.js";
 
 const TURN_MS = 12_000;
 const STEPS = 720; // of the slider
@@ -23,8 +23,7 @@ export function createDrawingView({ calculator, on }) {
       <div class="head"><h2 id="drawing-${calculator.id}">${title}</h2>
         ${views.length > 0 && html`<span class="views" role="group" aria-label="${message("drawing.views")}">${["whole", ...views.map(({ id }) => id)].map((id, i) => html`
           <button type="button" class="toggle" data-view="${id}" aria-pressed="${String(i === 0)}">${message(`drawing.view.${id}`)}</button>`)}</span>`}<span class="figure-tools">
-        ${["PNG", "SVG"].map((kind) => html`<button type="button" class="toggle save" data-kind="${kind}"
-          aria-label="${message("figure.save", { title, kind })}">${kind}</button>`)}${enlargeButton(title)}</span></div>
+        ${saveButtons(title, ["PNG", "SVG"])}${enlargeButton(title)}</span></div>
       ${moving && html`<div class="motion">
         ${!STILL.matches && html`<button type="button" class="toggle play" aria-pressed="false">${message("drawing.play")}</button>`}
         <input type="range" min="0" max="360" step="0.5" value="0" aria-label="${quantityTitle("crank_angle_deg")}">
@@ -127,7 +126,7 @@ export function createDrawingView({ calculator, on }) {
     for (const button of root.querySelectorAll("[data-view]")) button.setAttribute("aria-pressed", String(button.dataset.view === id));
     draw();
   }
-  root.querySelector(".views")?.addEventListener("click", ({ target }) => target.dataset.view && look(target.dataset.view));
+  clicks(root, "view", look);
 
   /** Views of what is known of the design alone. */
   function offer() {
@@ -146,9 +145,8 @@ export function createDrawingView({ calculator, on }) {
   });
   sizes.observe(place);
 
-  root.querySelector(".figure-tools").addEventListener("click", async ({ target }) => {
-    const kind = target.closest("[data-kind]")?.dataset.kind.toLowerCase();
-    if (!kind) return;
+  clicks(root, "kind", async (name) => {
+    const kind = name.toLowerCase();
     const { download, pngOf, svgOf } = await import("./files.js");
     const svg = place.querySelector("svg");
     const content = kind === "png" ? await pngOf(svg) : svgOf(svg);
@@ -165,10 +163,7 @@ export function createDrawingView({ calculator, on }) {
       on.returned();
     });
     choice.addEventListener("change", () => on.selected(choice.value || null));
-    place.addEventListener("click", ({ target }) => {
-      const name = target.closest("[data-pair]")?.dataset.pair;
-      if (name) on.selected(name === turn.pair ? null : name);
-    });
+    clicks(place, "pair", (name) => on.selected(name === turn.pair ? null : name));
   }
 
   const redraw = following(({ shown, curves }) => [shown, curves], (state) => {

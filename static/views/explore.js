@@ -2,7 +2,7 @@
 import { createBeside } from "../besides.js";
 import { pathOf, percent, titleOf } from "../lib/checks.js";
 import { formatQuantity, parseSum, typedText } from "../lib/format.js";
-import { element, fill, html } from "../lib/html.js";
+import { clicks, element, fill, html } from "../lib/html.js";
 import { valueIn } from "../lib/sizing.js";
 import { followed, pointsOf, rangeOf, sensitivityBody, sensitivityRows, setsAt, sweepBody, sweptBeside, sweepTable, withPoint } from "../lib/sweep.js";
 import { isMap, sweepChart } from "../lib/sweep_chart.js";
@@ -120,10 +120,7 @@ function createSweep({ store, on, ...parts }) {
   }
 
   tab.root.append(figure.root, element(html`<p class="note">${message("sweep.click")}</p>`));
-  tab.root.addEventListener("click", ({ target }) => {
-    const at = target.closest("[data-load]")?.dataset.load;
-    if (at !== undefined) load(Number(at));
-  });
+  clicks(tab.root, "load", (at) => load(Number(at)));
   tab.root.querySelector(".swept").addEventListener("input", ({ target }) => {
     if (target.dataset.part === "beside") {
       about.beside = model.fields.get(target.value);
@@ -172,10 +169,7 @@ function createSensitivity({ on, ...parts }) {
     show: (_state, answer) => outcome(answer),
   });
   tab.root.append(element(html`<div class="outcome"></div>`));
-  tab.root.addEventListener("click", ({ target }) => {
-    const { sweep: path } = target.closest("[data-sweep]")?.dataset ?? NOTHING;
-    if (path) on.swept(fieldAt(path));
-  });
+  clicks(tab.root, "sweep", (path) => on.swept(fieldAt(path)));
   return tab;
 }
 

@@ -1,11 +1,11 @@
 /** A figure made by the service and the table of the same numbers, in one place of fixed height. */
 import { newestOnly } from "../lib/api.js";
 import { besideIdeal, coinciding, curveTables, enveloped, inLanguage, overlaid, sequenced } from "../lib/chart.js";
-import { element, fill, html } from "../lib/html.js";
+import { clicks, element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { passingText, problemText } from "../service_texts.js";
 import { following } from "../store.js";
-import { busy, enlargeButton, olderMark, tableMarkup } from "./parts.js";
+import { busy, enlargeButton, olderMark, saveButtons, tableMarkup } from "./parts.js";
 import { createPlot, loadPlotly, pictureOf } from "./plot.js";
 
 const NONE = [];
@@ -32,14 +32,12 @@ function completed({ measures, body = ({ besides, ...input }) => input, ...figur
 export function createFigure({ figure: about, client, titles, on = ALONE }) {
   const figure = completed(about);
   const title = message(`figure.${figure.id}`);
-  const saver = (kind) => html`<button type="button" class="toggle save" data-kind="${kind}"
-    aria-label="${message("figure.save", { title, kind })}">${kind}</button>`;
   const root = element(html`
     <figure class="card figure" data-figure="${figure.id}">
       <figcaption><h2>${title}</h2><span class="figure-tools">
         <button type="button" class="toggle show-table" aria-pressed="false"
           aria-label="${title}: ${message("figure.showTable")}">${message("figure.table")}</button>
-        ${["CSV", "PNG", "SVG"].map(saver)}${enlargeButton(title)}</span>
+        ${saveButtons(title, ["CSV", "PNG", "SVG"])}${enlargeButton(title)}</span>
       </figcaption>
       <div class="canvas">
         <div class="figure-table" tabindex="0" role="region" aria-label="${title}" hidden></div>
@@ -223,10 +221,8 @@ export function createFigure({ figure: about, client, titles, on = ALONE }) {
     return [csvOfTables(tables), "text/csv"];
   }
 
-  tools.addEventListener("click", async (event) => {
-    const button = event.target.closest("[data-kind]");
-    if (!button) return;
-    const kind = button.dataset.kind.toLowerCase();
+  clicks(tools, "kind", async (name, button) => {
+    const kind = name.toLowerCase();
     try {
       const [{ download }, file] = await busy(button, () => Promise.all([import("./files.js"), fileOf(kind)]));
       download(`${figure.id}.${kind}`, ...file);

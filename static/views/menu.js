@@ -1,5 +1,5 @@
 /** A small menu at a button: arrow keys move in it, Escape closes it. */
-import { element, html } from "../lib/html.js";
+import { clicks, element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 
 /** `acts` are what it offers; `on(act, about)` tells of the one that is chosen. */
@@ -8,9 +8,7 @@ export function createMenu({ acts, on }) {
     <button type="button" role="menuitem" data-act="${act}">${message(`menu.${act}`)}</button>`)}</div>`);
   const items = [...root.children];
   let about = null;
-  root.addEventListener("click", ({ target }) => {
-    const { act } = target.dataset;
-    if (!act) return;
+  clicks(root, "act", (act) => {
     root.hidePopover();
     on(act, about);
   });

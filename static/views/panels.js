@@ -2,7 +2,7 @@
  * What stands under the drawing, a tab each: only what is open is asked for. On a low screen, or where it is `tall`, the
  * drawing is the first of them, so that it and a figure share one box.
  */
-import { element, html } from "../lib/html.js";
+import { clicks, element, html } from "../lib/html.js";
 import { lasting } from "../lib/storage.js";
 import { message } from "../messages/index.js";
 import { arrows } from "./tabs.js";
@@ -55,10 +55,7 @@ export function createPanels({ id, drawing, tall = false, on }) {
     show();
     all.get(open)?.tab.scrollIntoView({ block: "nearest", inline: "nearest" });
   }
-  strip.addEventListener("click", ({ target }) => {
-    const name = target.closest("[data-tab]")?.dataset.tab;
-    if (name) choose(name);
-  });
+  clicks(strip, "tab", (name) => choose(name));
   arrows(strip);
 
   /** The drawing above the tabs, or as the first of them. */

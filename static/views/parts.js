@@ -32,6 +32,10 @@ export function cellsMarkup(cells) {
 /** Says of what is drawn that it is of older inputs, while it is. */
 export const olderMark = () => html`<p class="older">${message("figure.older")}</p>`;
 
+/** What saves a figure or a drawing as files of these kinds. */
+export const saveButtons = (title, kinds) => kinds.map((kind) => html`<button type="button" class="toggle save" data-kind="${kind}"
+  aria-label="${message("figure.save", { title, kind })}">${kind}</button>`);
+
 /** What opens a figure's large view (views/large.js). */
 export const enlargeButton = (title) => html`<button type="button" class="toggle enlarge" aria-label="${message("figure.enlarge", { title })}"
   title="${message("figure.enlarge", { title })}"><svg class="icon" viewBox="0 0 16 16" aria-hidden="true"><path d="M9.5 2.5h4v4M6.5 13.5h-4v-4M13.5 2.5l-4.5 4.5M2.5 13.5l4.5-4.5"/></svg></button>`;

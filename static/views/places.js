@@ -2,7 +2,7 @@
  * Where a screen has no room for everything: below 1280 px the inputs fold to a rail, below 800 px one part is in sight
  * at a time, chosen at the foot. What is in sight stands as `data-place` at the host; wider screens pass it over.
  */
-import { element, html } from "../lib/html.js";
+import { clicks, element, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 
 const PARTS = ["inputs", "shown", "answer", "rest"];
@@ -14,9 +14,7 @@ export function createPlaces({ host, signal }) {
     host.dataset.place = part;
     for (const button of root.children) button.setAttribute("aria-pressed", String(button.dataset.place === part));
   };
-  root.addEventListener("click", ({ target: { dataset: { place } } }) => {
-    if (place) show(place === "inputs" && host.dataset.place === place ? "shown" : place);
-  });
+  clicks(root, "place", (place) => show(place === "inputs" && host.dataset.place === place ? "shown" : place));
   document.addEventListener("keydown", ({ key }) => {
     if (key === "Escape" && host.dataset.place === "inputs" && !document.querySelector("dialog[open], :popover-open")) show("shown");
   }, { signal });

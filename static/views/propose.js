@@ -4,7 +4,7 @@ import { newestOnly } from "../lib/api.js";
 import { levelOfWord, titleOf, wordText } from "../lib/checks.js";
 import { formatNumber, formatQuantity, unitOf } from "../lib/format.js";
 import { stateFromInput } from "../lib/form_state.js";
-import { element, fill, html } from "../lib/html.js";
+import { clicks, element, fill, html } from "../lib/html.js";
 import { session } from "../lib/storage.js";
 import { decodeState, query } from "../lib/url_state.js";
 import { message, quantityTitle, said } from "../messages/index.js";
@@ -102,10 +102,7 @@ export function createProposals({ logic, client, titles, modelOf, on }) {
   form.root.querySelector("[data-group=more] details").open = false;
   root.prepend(form.root, run.root);
 
-  root.addEventListener("click", async ({ target }) => {
-    const card = target.closest("[data-at]");
-    if (!card) return;
-    const { at } = card.dataset;
+  clicks(root, "at", async (at, card) => {
     const { found, answer } = store.state.besides[ID];
     const { design } = at === "nearest" ? answer.nearest : found[at];
     const { answer: whole, superseded } = await busy(card.querySelector("button"), () => opening.ask(() => logic.placed(client, design)));

@@ -1,5 +1,5 @@
 /** A search of the inputs by name or symbol, which "/" leads to. */
-import { element, fill, html } from "../lib/html.js";
+import { clicks, element, fill, html } from "../lib/html.js";
 import { message } from "../messages/index.js";
 import { symbolMarkup } from "./parts.js";
 
@@ -33,10 +33,7 @@ export function createSearch({ model, all, signal, on }) {
     on.found(path);
   }
   input.addEventListener("input", show);
-  list.addEventListener("click", ({ target }) => {
-    const path = target.closest("[data-found]")?.dataset.found;
-    if (path) take(path);
-  });
+  clicks(list, "found", take);
   toggle.addEventListener("click", () => {
     const pressed = toggle.getAttribute("aria-pressed") !== "true";
     toggle.setAttribute("aria-pressed", String(pressed));

@@ -1,5 +1,5 @@
 /** Where a design begins, one sheet: what it has to do, a reducer that is known, a paper's figure, a file or a link, or nothing. */
-import { element, html } from "../lib/html.js";
+import { html } from "../lib/html.js";
 import { message, said } from "../messages/index.js";
 import { createDialog } from "./parts.js";
 

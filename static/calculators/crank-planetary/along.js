@@ -1,7 +1,7 @@
 /** Pin, crankshaft and the whole reducer to scale along their axes, with what holds and loads them. No DOM. */
 import { formatQuantity } from "../../lib/format.js";
 import { html } from "../../lib/html.js";
-import { arrow, createView, dimension, label, line, mm, paper, path, scaleBar, roundBelow } from "../../lib/svg.js";
+import { arrow, createView, dimension, label, line, mm, paper, path, roundBelow, scaleBar, wall } from "../../lib/svg.js";
 import { message } from "../../messages/index.js";
 import { cranksOf } from "./mechanism.js";
 import { sleeved } from "./wanted.js";
@@ -21,12 +21,6 @@ function viewOf({ width, height }, { from, to, above, below, tiers }) {
 }
 
 const bar = ({ at }, x0, x1, y0, y1, kind, field = "") => path([at([x0, y0]), at([x1, y0]), at([x1, y1]), at([x0, y1])], kind, field);
-
-/** What is built in: hatched on the side away from the part. */
-function wall([x, y], half, side) {
-  const marks = Array.from({ length: 7 }, (_, i) => y - half + (i * 2 * half) / 6);
-  return html`<path class="clamp" d="M${x} ${y - half}V${y + half}${marks.map((mark) => `M${x} ${mark}l${-8 * side} 8`).join("")}"/>`;
-}
 
 /** A support that lets the part tilt, under it. */
 function knife([x, y]) {

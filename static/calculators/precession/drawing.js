@@ -2,12 +2,13 @@
 import { formatNumber, formatQuantity } from "../../lib/format.js";
 import { html } from "../../lib/html.js";
 import { message } from "../../messages/index.js";
-import { arcPath, arrow, circle, createView, dimension, label, line, mm, paper, path, radius, roundBelow, scaleBar, sized, WIDE_PX, words } from "../../lib/svg.js";
+import { arcPath, arrow, circle, createView, dimension, label, line, mm, paper, path, radius, roundBelow, scaleBar, sized, wall, WIDE_PX, words } from "../../lib/svg.js";
 
 const MOST_ROLLERS = 200;
 const LONGEST_ARROW = 62; // px
 const SCALES = 24; // px at the foot, for the bars
 const NAME_PX = 84; // the name of a length and its value
+const MARKS = 6; // of a wall
 const STRIP = 0.21; // of the height, for the deflected shape in one plane
 
 const FIELD = {
@@ -76,7 +77,7 @@ function sectionView(input, roller, axis, x, scale) {
     <g class="angle" data-field="${FIELD.theta}"><path class="arc" d="${arcPath([x(0), axis], reach, 90 - theta, 90)}"/>
       ${label([x(0) + reach + 9, axis - reach * Math.tan(tilt / 2) + 4], "θ")}</g>
     ${[1, -1].map((side) => [bearing([x(l) + 6, axis], (stretches[0].diameter / 2) * scale, side), bearing([x(l + a), axis], (widest / 2) * scale, side)])}
-    ${clamp(x(end), axis, (widest / 2) * scale + 14)}
+    ${wall([x(end), axis], (widest / 2) * scale + 14, -1, MARKS)}
     ${input.shaft_sections && stretches.map(({ from, to, diameter }) => words([x((from + to) / 2), axis + 15], `⌀ ${mm(diameter)}`, { anchor: "middle" }))}
     ${!input.shaft_sections && dimension([x(end) - 16, y(-widest / 2)], [x(end) - 16, y(widest / 2)], "d", { value: mm(widest), field: FIELD.d, beside: 6, rise: 12 })}
     ${[0, l, l + a, end].map((z) => extension(z, axis + (z === 0 ? 6 : (widest / 2) * scale), under + (z === l + a || z === end ? (crowded ? 28 : 4) : 28)))}
@@ -85,18 +86,13 @@ function sectionView(input, roller, axis, x, scale) {
     ${label([x(l) - 8, y(widest / 2) - 8], "C")}${label([x(l + a) + 14, y(widest / 2) - 8], "B")}`;
 }
 
-function clamp(x, y, half) {
-  const marks = Array.from({ length: 6 }, (_, i) => y - half + (i * 2 * half) / 5);
-  return html`<path class="clamp" d="M${x} ${y - half}V${y + half}${marks.map((mark) => `M${x} ${mark}l8 8`).join("")}"/>`;
-}
-
 /** What bends the shaft, the satellite's forces on it, and its deflected shape in one plane, under the section. */
 function stripView(axis, plane, input, section, curve, x, newton, factor) {
   const { reference_z_mm: l, bearing_distance_mm: a, overhang_mm: b } = input;
   const name = plane === 0 ? "x" : "y";
   const places = { C: x(l), B: x(l + a) };
   return html`
-    ${line([x(l) - 10, axis], [x(l + a + b) + 10, axis], "centre")}${clamp(x(l + a + b), axis, 22)}
+    ${line([x(l) - 10, axis], [x(l + a + b) + 10, axis], "centre")}${wall([x(l + a + b), axis], 22, -1, MARKS)}
     ${words([x(l + a + b) + 16, axis - 22], `${name}z`)}
     ${curve && html`<path class="deflected" d="M${curve.x.map((place, i) => `${x(l + place).toFixed(2)} ${(axis - curve.y[i] * factor).toFixed(2)}`).join("L")}"/>`}
     ${Object.entries(places).map(([at, across]) => {
