@@ -77,28 +77,35 @@ async def test_a_larger_modification_erases_no_check(api):
     assert cold["status"] == answer["verdict"] == "fail"
 
 
+PRINTED = {
+    "mechanism": {"pins": 3, "satellites": 1, "satellite_teeth": 20, "ring_teeth": 21},
+    "load": {"output_torque_Nm": 11, "pin_circle_radius_mm": 25},
+    "contact": {
+        "contact_length_mm": 6,
+        "pin_radius_mm": 4.5,
+        "hole_clearance_mm": 0.1,
+        "eccentricity_mm": 1.5,
+        "hole_material": "PLA",
+    },
+    "gear": {
+        "kind": "cycloid",
+        "ring_pin_circle_radius_mm": 42,
+        "ring_pin_radius_mm": 4.5,
+        "modification": {"equidistant_mm": 0.1},
+    },
+    "requirements": {"scope": ["teeth"]},
+}
+"""A public printed drive."""
+
+
 async def test_a_disc_at_the_limit_of_undercut_fails_by_it(api):
     """There a flank ends in a cusp, of which the curvature is no number."""
-    body = {
-        "mechanism": {"pins": 3, "satellites": 1, "satellite_teeth": 20, "ring_teeth": 21},
-        "load": {"output_torque_Nm": 11, "pin_circle_radius_mm": 25},
-        "contact": {
-            "contact_length_mm": 6,
-            "pin_radius_mm": 4.5,
-            "hole_clearance_mm": 0.1,
-            "eccentricity_mm": 1.5,
-            "hole_material": "PLA",
-        },
-        "rollers": {"name": "MR95ZZ", "kind": "ball"},
-        "gear": {
-            "kind": "cycloid",
-            "ring_pin_circle_radius_mm": 42,
-            "ring_pin_radius_mm": 6.156063925322055,
-            "modification": {"equidistant_mm": 0.1},
-        },
-        "requirements": {"scope": ["teeth"]},
-        "include": ["checks"],
-    }
+    body = changed(
+        PRINTED,
+        gear={"ring_pin_radius_mm": 6.156063925322055},
+        rollers={"name": "MR95ZZ", "kind": "ball"},
+        include=["checks"],
+    )
     answer = (await api.post(PATH, json=body)).json()
     assert (answer["verdict"], answer["governing"]) == ("fail", "ring_undercut")
     checks = {each["code"]: each for each in answer["checks"]}
@@ -112,7 +119,7 @@ async def test_a_disc_at_the_limit_of_undercut_fails_by_it(api):
 
 
 def test_fixes_of_teeth_that_are_solved_take_few_looks(monkeypatch):
-    """Public printed drive: secants solve for fixes, and for the reserve of a check."""
+    """Secants solve for fixes, and for the reserve of a check."""
     looks = []
 
     def counted(self, **given):
@@ -121,25 +128,7 @@ def test_fixes_of_teeth_that_are_solved_take_few_looks(monkeypatch):
 
     aimed = Search.aimed
     monkeypatch.setattr(Search, "aimed", counted)
-    body = {
-        "mechanism": {"pins": 3, "satellites": 1, "satellite_teeth": 20, "ring_teeth": 21},
-        "load": {"output_torque_Nm": 5, "pin_circle_radius_mm": 25},
-        "contact": {
-            "contact_length_mm": 6,
-            "pin_radius_mm": 4.5,
-            "hole_clearance_mm": 0.1,
-            "eccentricity_mm": 1.5,
-            "hole_material": "PLA",
-        },
-        "gear": {
-            "kind": "cycloid",
-            "ring_pin_circle_radius_mm": 42,
-            "ring_pin_radius_mm": 4.5,
-            "modification": {"equidistant_mm": 0.1},
-        },
-        "requirements": {"scope": ["teeth"]},
-        "include": ["fixes"],
-    }
+    body = changed(PRINTED, load={"output_torque_Nm": 5}, include=["fixes"])
     (fix,) = solve(CrankPlanetaryRequest.model_validate(body))["fixes"]
     assert (fix["pointer"], fix["status"]) == ("/load/output_torque_Nm", "solved")
     assert {each["check"].code for each in looks} == {"ring_static_cold"}

@@ -153,6 +153,16 @@ BOLTED = replace(
     bore_diameter=0.007,
     bolt=PinBolt(core_diameter=0.005, preload=10e3, preload_scatter=1.4),
 )
+BOTH = having(
+    SEATED,
+    output="both",
+    fatigue=TIRED,
+    output_torque=1500.0,
+    life=3e4,
+    pin_material=STEEL,
+    hole_material=STEEL,
+    friction=replace(ALL.friction, life=None),  # type: ignore[type-var]
+)
 DESIGNS = {
     "a dead centre, satellites alike": design_of(
         pins=2, satellites=2, ratio=3.0, crank_spacing=math.pi, satellite_teeth=3
@@ -223,28 +233,8 @@ DESIGNS = {
     "bolted pins that drive a ring": having(
         ALL, pin=BOLTED, crankshaft=None, output="ring", hole_radius=0.01002
     ),
-    "both as output, by the ring": having(
-        SEATED,
-        output="both",
-        ring_speed=10.0,
-        fatigue=TIRED,
-        output_torque=1500.0,
-        life=3e4,
-        pin_material=STEEL,
-        hole_material=STEEL,
-        friction=replace(ALL.friction, life=None),  # type: ignore[type-var]
-    ),
-    "both as output, by the pins": having(
-        SEATED,
-        output="both",
-        carrier_speed=-5.0,
-        fatigue=TIRED,
-        output_torque=1500.0,
-        life=3e4,
-        pin_material=STEEL,
-        hole_material=STEEL,
-        friction=replace(ALL.friction, life=None),  # type: ignore[type-var]
-    ),
+    "both as output, by the ring": having(BOTH, ring_speed=10.0),
+    "both as output, by the pins": having(BOTH, carrier_speed=-5.0),
     "cycloid": having(
         ALL,
         gear=CycloidRing(ring_pin_circle_radius=0.085, ring_pin_radius=0.005),

@@ -109,6 +109,18 @@ def test_what_lies_between_is_no_better_than_is_said(seed: int, monkeypatch) -> 
     assert coarse - 1e-5 <= finer <= coarse + MISSED
 
 
+def forty(ring_teeth: int, addendum: float, **more: float) -> InvoluteTeeth:
+    """Satellite of 40 teeth in a ring, without shifts unless `more` has them."""
+    usual = {"module": 2e-3, "satellite_profile_shift": 0.0, "ring_profile_shift": 0.0}
+    return InvoluteTeeth(
+        satellite_teeth=40,
+        ring_teeth=ring_teeth,
+        satellite_addendum=addendum,
+        ring_addendum=addendum,
+        **usual | more,
+    )
+
+
 LEAST = {
     1.0: [(57.9, 1.28), (44.3, 1.58), (36.7, 1.76), (31.6, 1.87), (25.1, 2.01), (21.0, 2.09)],
     0.8: [(53.7, 1.11), (40.2, 1.34), (32.8, 1.47), (28.0, 1.54), (22.0, 1.62), (20.0, 1.64)],
@@ -122,17 +134,7 @@ a degree that leaves the tips apart, and the contact ratio there; held numbers."
 @pytest.mark.parametrize("addendum", LEAST)
 def test_the_least_angle_that_leaves_tips_apart(addendum):
     for difference, (degrees, ratio) in zip((1, 2, 3, 4, 6, 8), LEAST[addendum], strict=True):
-        pair = nearest_ring(
-            teeth=InvoluteTeeth(
-                satellite_teeth=40,
-                ring_teeth=40 + difference,
-                module=2e-3,
-                satellite_profile_shift=0.0,
-                ring_profile_shift=0.0,
-                satellite_addendum=addendum,
-                ring_addendum=addendum,
-            )
-        )
+        pair = nearest_ring(teeth=forty(40 + difference, addendum))
         assert degrees - 0.1 < math.degrees(pair.line.angle) <= degrees + 1e-6
         assert pair.contact_ratio == pytest.approx(ratio, abs=0.011)
         if degrees > 20:
@@ -142,29 +144,13 @@ def test_the_least_angle_that_leaves_tips_apart(addendum):
 
 
 def test_no_angle_is_found_for_tips_that_never_pass():
-    teeth = InvoluteTeeth(
-        satellite_teeth=40,
-        ring_teeth=41,
-        module=2e-3,
-        satellite_profile_shift=0.0,
-        ring_profile_shift=0.0,
-        satellite_addendum=3.0,
-        ring_addendum=3.0,
-    )
+    teeth = forty(41, 3.0)
     with pytest.raises(NotKnown, match="tips_overlap"):
         nearest_ring(teeth=teeth)
 
 
 def test_the_shifts_at_an_eccentricity_have_the_most_contact_that_leaves_tips_apart():
-    teeth = InvoluteTeeth(
-        satellite_teeth=40,
-        ring_teeth=42,
-        module=3e-3,
-        satellite_profile_shift=0.0,
-        ring_profile_shift=0.0,
-        satellite_addendum=0.8,
-        ring_addendum=0.8,
-    )
+    teeth = forty(42, 0.8, module=3e-3)
     chosen = shifts_at(teeth=teeth, eccentricity=3.68e-3)
     pair = involute_pair(teeth=chosen, eccentricity=3.68e-3)
     assert pair.on_involutes
@@ -172,14 +158,12 @@ def test_the_shifts_at_an_eccentricity_have_the_most_contact_that_leaves_tips_ap
     assert abs(pair.normal_backlash) < 1e-15
     closer = -0.01 + chosen.satellite_profile_shift, 0.01 + chosen.satellite_profile_shift
     for shift in closer:
-        other = InvoluteTeeth(
-            satellite_teeth=40,
-            ring_teeth=42,
+        other = forty(
+            42,
+            0.8,
             module=3e-3,
             satellite_profile_shift=shift,
             ring_profile_shift=shift + pair.line.wider,
-            satellite_addendum=0.8,
-            ring_addendum=0.8,
         )
         beside = involute_pair(teeth=other, eccentricity=3.68e-3)
         worse = beside.contact_ratio < pair.contact_ratio
@@ -190,15 +174,7 @@ def test_the_shifts_at_an_eccentricity_have_the_most_contact_that_leaves_tips_ap
 
 def test_shifts_are_taken_that_keep_the_path_on_involutes():
     """40 teeth of an addendum of 1 without a shift would touch below their involutes."""
-    teeth = InvoluteTeeth(
-        satellite_teeth=40,
-        ring_teeth=44,
-        module=2e-3,
-        satellite_profile_shift=0.0,
-        ring_profile_shift=0.0,
-        satellite_addendum=1.0,
-        ring_addendum=1.0,
-    )
+    teeth = forty(44, 1.0)
     nearest = nearest_ring(teeth=teeth)
     assert nearest.start_roll_satellite < nearest.form_roll_satellite
     eccentricity = 1.02 * nearest.line.eccentricity
