@@ -161,9 +161,10 @@ LEAST_DAMP, LIGHT = 1e-3, 1e-2
 too small to have another effect."""
 
 REACH = 5e-6
-"""Longest first step, m; later steps grow up to `FURTHEST` times as long."""
+"""Step, m, up to which its second order tells the unbalance that it leaves."""
 
-FURTHEST = 50.0
+FURTHEST = 2e-4
+"""Longest step, m."""
 
 AHEAD = 1.0
 """Longest way between two positions, rad, over which displacements are extrapolated."""
@@ -973,7 +974,7 @@ def last_step(torque: float, near: bool, drive: Drive, work: Work) -> None:
 def solve(torque: float, drive: Drive, work: Work) -> int:
     """Solve the equilibrium near q and b in place; return the steps taken, negative on failure."""
     gone = damp = slope = step = part = roamed = 0.0  # part: of the step that contacts follow
-    cap, cuts = REACH, 0
+    cuts = 0
     for count in range(1, STEPS_MOST):
         if part == 0 and roamed > ROAM:
             roamed = 0.0
@@ -986,7 +987,6 @@ def solve(torque: float, drive: Drive, work: Work) -> int:
                 go(shorter - gone, work)
                 gone, cuts = shorter, cuts + 1
                 continue
-            cap = min(4 * cap, REACH * FURTHEST) if gone * step >= 0.99 * cap else cap
             gone, cuts = 0.0, 0
         if not direction(damp, drive, work):
             damp, part = max(100 * damp, LEAST_DAMP), 0.0
@@ -1000,7 +1000,7 @@ def solve(torque: float, drive: Drive, work: Work) -> int:
             last_step(torque, roamed + step <= ROAM, drive, work)
             return count
         damp = damp * 0.01 if damp > LIGHT else 0.0
-        gone = min(1.0, cap / step) if step > 0 else 1.0
+        gone = min(1.0, FURTHEST / step) if step > 0 else 1.0
         go(gone, work)
         roamed += gone * step
         following = rest > ROUGH and not still and roamed <= ROAM and count < FOLLOWED
@@ -1719,13 +1719,14 @@ def position(
     phi: float, torque: float, warm: bool, far: bool, play: bool, drive: Drive, work: Work, row: Row
 ) -> int:
     """Solve a crank angle and, if asked, its play; return the status. A warm start is from
-    ``work``, with a play and ``far`` away as far beyond the first contact as at the last position.
+    ``work``, ``far`` away as far beyond the first contact as at the last position, and with
+    straight pins.
     """
     place(phi, drive, work)
     way, q, kept = math.copysign(1.0, torque), work.q, work.kept
     row[STATUS] = SOLVED
     for again in range(2):
-        if play or not warm:
+        if play or far or not warm:
             take(q, kept)
             take_bends(work.b, work.bends)
             straighten(work)
@@ -1735,7 +1736,8 @@ def position(
             take(q, work.first)
             if warm:
                 take(kept, q)
-                take_bends(work.bends, work.b)
+                if not far:
+                    take_bends(work.bends, work.b)
             if row[STATUS] != SOLVED:
                 return NO_DRIVE
         count = solve(torque, drive, work)
