@@ -1,4 +1,4 @@
-"""Bearings of the satellites: reference numbers, balance, the turn by brute force, arrays.
+"""Bearings of the satellites: reference numbers, balance, arrays, refusals.
 
 Some tests hold numbers beside those of other tools' rules: a load without the pins' resultant, a
 ring's radial force of one sign, a speed of ``1 - 1/u``. They must not be those.
@@ -8,8 +8,6 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from core.crank.bearing_life import rating_life, reliability_factor, system_life
 from core.crank.ring_mesh import RingMesh, cycloid_mesh, involute_mesh
@@ -18,8 +16,6 @@ from core.errors import ImpossibleMechanism, InvalidInput, NotKnown
 from core.output.mechanism import Mechanism, pin_geometry
 from core.precision import CONVERGED, EXACT, SAME, SEARCHED
 from tests.inputs.loads import satellite_bearings
-from tests.inputs.satellites import exponents, mechanisms
-from tests.oracles.satellites import forces
 
 LOAD = {"output_torque": 500.0, "pin_circle_radius": 0.05, "eccentricity": 2e-3}
 INVOLUTE = involute_mesh(
@@ -119,28 +115,6 @@ def test_a_published_bearing_load() -> None:
     assert along / across == pytest.approx(0.351049, abs=1e-6)
     mesh = cycloid_mesh(eccentricity=1.250025e-3, ratio=29.0, ring_pin_circle_radius=0.0525)
     assert mesh.radial_force_ratio == pytest.approx(-0.343755, abs=1e-6)
-
-
-@pytest.mark.slow
-@given(mechanism=mechanisms, exponent=exponents, rho=st.floats(-1.5, 1.5))
-def test_the_turn_by_brute_force(mechanism: Mechanism, exponent: float, rho: float) -> None:
-    design = REFERENCE | {"mesh": RingMesh(rho), "kind": "roller"}
-    found = satellite_bearings(mechanism=mechanism, force_exponent=exponent, **design)
-    psi = (np.arange(40_000) + 0.5) * 2 * np.pi / 40_000
-    pins, shares = forces(mechanism, exponent, psi)
-    across, along = 12_500 * shares, rho * 12_500 * shares + 10_000 * pins
-    load = np.hypot(across, along)
-    room = 1e-9 + (1e-3 if exponent >= 1 else 2e-2)
-    largest = load.max()
-    assert (load.max(axis=1) <= found.peak_load * (1 + SEARCHED)).all()
-    assert found.peak_load == pytest.approx(load.max(axis=1), rel=room)
-    assert (load.min(axis=1) >= found.min_load - SEARCHED * largest).all()
-    assert found.min_load == pytest.approx(load.min(axis=1), rel=room, abs=room * largest)
-    mean = (load ** (10 / 3)).mean(axis=1) ** 0.3
-    assert found.equivalent_load == pytest.approx(mean, rel=1e-3 if exponent < 1 else 1e-5)
-    ring = math.sqrt(1 + rho * rho) * across.max(axis=1)
-    assert found.peak_ring_force == pytest.approx(ring, rel=room)
-    assert shares.sum(axis=0) == pytest.approx(1, rel=SAME)
 
 
 def test_the_pins_press_along_the_crank() -> None:

@@ -8,7 +8,6 @@ grows with it, and no more.
 import math
 import random
 from fractions import Fraction
-from itertools import pairwise
 
 import pytest
 from hypothesis import given
@@ -56,31 +55,6 @@ def random_mechanism(seed: int) -> tuple[Mechanism, float]:
         initial_crank_angle=r.choice([0.0, math.pi, -math.pi / 2, r.uniform(-9, 9)]),
     )
     return mechanism, r.choice([1.0, 0.01, 0.25, 2.0, 7.3])
-
-
-@pytest.mark.parametrize("seed", seeds(24))
-def test_driving_count_is_exact_inside_every_interval(seed: int) -> None:
-    mechanism, revolutions = random_mechanism(seed)
-    result = cyclogram(mechanism=mechanism, revolutions=revolutions)
-    speed = float(1 + 1 / mpf(mechanism.ratio))
-    waves = revolutions * speed
-    sliver = MERGED * max(1.0, waves) / speed
-    counts = result.driving_count
-    assert counts[0].start == 0.0
-    assert counts[-1].end == pytest.approx(revolutions * 2 * math.pi, rel=CONVERGED)
-    for before, after in pairwise(counts):
-        assert before.end == after.start
-        assert before.pairs != after.pairs
-    for interval in counts[:: max(1, len(counts) // 20)]:
-        assert interval.end > interval.start
-        for part in (0.11, 0.83):
-            phi = interval.start + part * (interval.end - interval.start)
-            psi = wave_angle(phi, mechanism.ratio, mechanism.initial_crank_angle)
-            rows = cosines(mechanism.pins, mechanism.crank_angles, psi)
-            if min(abs(c) for row in rows for c in row) < 10 * sliver * speed:
-                continue  # on a switching angle, within what may be merged
-            exact = driving_count(mechanism.pins, mechanism.crank_angles, psi)
-            assert interval.pairs == exact
 
 
 @pytest.mark.parametrize("seed", seeds(24))
@@ -146,27 +120,6 @@ def test_dead_centres_exist_where_a_gap_of_the_phases_is_half_a_turn(
         assert float((end - start) * speed) <= float(gap - mp.pi) + 1e-10
         middle = wave_angle((start + end) / 2, mechanism.ratio, 0.2)
         assert driving_count(pins, crank_angles, middle) == 0
-
-
-def test_dead_centres_of_two_pins_are_all_found_where_they_are() -> None:
-    # N = 2, K = 1: nothing drives where sin(psi) = 0, psi = phi*21/20
-    mechanism = Mechanism.evenly_spaced(pins=2, satellites=1, ratio=20.0)
-    result = cyclogram(mechanism=mechanism)
-    exact = [float(k * mp.pi * 20 / 21) for k in range(3)]
-    assert result.dead_centres == pytest.approx(exact, rel=CONVERGED, abs=1e-15)
-    assert result.dead_zones == ()
-    assert (result.min_driving, result.max_driving) == (1, 1)
-
-
-def test_dead_zone_of_a_single_pair_is_the_other_half_turn() -> None:
-    mechanism = Mechanism.evenly_spaced(pins=1, satellites=1, ratio=20.0)
-    result = cyclogram(mechanism=mechanism)
-    half = float(mp.pi * 20 / 21)
-    assert result.dead_zones[0] == pytest.approx((0.0, half), abs=1e-15)
-    assert result.pairs[0].driving[0] == pytest.approx((half, 2 * half), rel=CONVERGED)
-    assert result.min_driving == 0
-    # 360 degrees of the crank are 378 of the wave: the second dead zone is cut at the end
-    assert result.dead_zones[1] == pytest.approx((2 * half, 2 * math.pi), rel=CONVERGED)
 
 
 @pytest.mark.parametrize("turns", [300.0, 1e3])
