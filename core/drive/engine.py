@@ -161,10 +161,9 @@ LEAST_DAMP, LIGHT = 1e-3, 1e-2
 too small to have another effect."""
 
 REACH = 5e-6
-"""Step, m, up to which its second order tells the unbalance that it leaves."""
+"""Longest first step, m; later steps grow up to `FURTHEST`, as do first ones if pins bend."""
 
 FURTHEST = 2e-4
-"""Longest step, m."""
 
 AHEAD = 1.0
 """Longest way between two positions, rad, over which displacements are extrapolated."""
@@ -974,7 +973,7 @@ def last_step(torque: float, near: bool, drive: Drive, work: Work) -> None:
 def solve(torque: float, drive: Drive, work: Work) -> int:
     """Solve the equilibrium near q and b in place; return the steps taken, negative on failure."""
     gone = damp = slope = step = part = roamed = 0.0  # part: of the step that contacts follow
-    cuts = 0
+    cap, cuts = REACH if len(work.b) == 0 else FURTHEST, 0
     for count in range(1, STEPS_MOST):
         if part == 0 and roamed > ROAM:
             roamed = 0.0
@@ -987,6 +986,7 @@ def solve(torque: float, drive: Drive, work: Work) -> int:
                 go(shorter - gone, work)
                 gone, cuts = shorter, cuts + 1
                 continue
+            cap = min(4 * cap, FURTHEST) if gone * step >= 0.99 * cap else cap
             gone, cuts = 0.0, 0
         if not direction(damp, drive, work):
             damp, part = max(100 * damp, LEAST_DAMP), 0.0
@@ -1000,7 +1000,7 @@ def solve(torque: float, drive: Drive, work: Work) -> int:
             last_step(torque, roamed + step <= ROAM, drive, work)
             return count
         damp = damp * 0.01 if damp > LIGHT else 0.0
-        gone = min(1.0, FURTHEST / step) if step > 0 else 1.0
+        gone = min(1.0, cap / step) if step > 0 else 1.0
         go(gone, work)
         roamed += gone * step
         following = rest > ROUGH and not still and roamed <= ROAM and count < FOLLOWED
@@ -1719,14 +1719,14 @@ def position(
     phi: float, torque: float, warm: bool, far: bool, play: bool, drive: Drive, work: Work, row: Row
 ) -> int:
     """Solve a crank angle and, if asked, its play; return the status. A warm start is from
-    ``work``, ``far`` away as far beyond the first contact as at the last position, and with
-    straight pins.
+    ``work``; with a play or pins that bend, one ``far`` away is as far beyond the first contact as
+    at the last position, with straight pins.
     """
     place(phi, drive, work)
     way, q, kept = math.copysign(1.0, torque), work.q, work.kept
     row[STATUS] = SOLVED
     for again in range(2):
-        if play or far or not warm:
+        if play or not warm or (far and len(work.b) > 0):
             take(q, kept)
             take_bends(work.b, work.bends)
             straighten(work)
