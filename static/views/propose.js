@@ -42,7 +42,7 @@ function proposalMarkup(one, { nameOf, pictureOf }) {
 
 /** Why none holds: which checks reject how many designs, and the design that comes nearest with what it lacks. */
 function noneMarkup({ tally, nearest, processes = [] }, logic) {
-  return html`${processes.length > 0 && html`<p>${message("propose.processes", { processes: processes.map((code) => message(`option.${code}`)).join(", ") })}</p>`}${nearest && html`<h3 class="nearest">${message("propose.nearest")}</h3>
+  return html`${processes.length > 0 && html`<p class="row">${message("propose.processes")} ${processes.map((code) => html`<button type="button" data-process="${code}">${message(`option.${code}`)}</button>`)}</p>`}${nearest && html`<h3 class="nearest">${message("propose.nearest")}</h3>
       <div class="proposal" data-at="nearest">${proposalMarkup(nearest, logic)}
         <p class="note">${message("propose.lacks")}</p>
         <ul class="lacks">${nearest.lacks.map(({ code, asked_over_reached: ratio }) => html`<li>${titleOf({ code })}${ratio !== undefined && html` <b>× ${formatNumber(ratio, 3)}</b>`}</li>`)}</ul></div>`}
@@ -102,6 +102,10 @@ export function createProposals({ logic, client, titles, modelOf, on }) {
   form.root.querySelector("[data-group=more] details").open = false;
   root.prepend(form.root, run.root);
 
+  clicks(root, "process", (code) => {
+    change(next.typedIn, "process", code);
+    search();
+  });
   clicks(root, "at", async (at, card) => {
     const { found, answer } = store.state.besides[ID];
     const { design } = at === "nearest" ? answer.nearest : found[at];

@@ -217,6 +217,16 @@ def test_where_none_is_found_it_is_said_why(page: Page, service: str) -> None:
     expect(page.locator(".verdict .word")).to_have_text("✕Fails")
 
 
+def test_another_way_to_make_it_is_searched_by_one_click(page: Page, service: str) -> None:
+    show(page, service, "crank-planetary")
+    unfolded(page)
+    filled(page, {"torque_Nm": 500.0, "ratio": 20, "outer_diameter_mm": 180.0})
+    page.get_by_role("button", name="Search").click()
+    page.locator(".propose .none").get_by_role("button", name="Ground").click()
+    expect(page.locator(".proposals .word").first).to_contain_text("Just works")
+    expect(page.locator('.propose [data-path="process"] .box')).to_have_value("ground")
+
+
 def test_what_is_refused_stands_at_its_field_and_a_search_is_cancelled(
     page: Page, service: str
 ) -> None:
