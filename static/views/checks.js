@@ -8,10 +8,10 @@ import { message, said } from "../messages/index.js";
 import { following, stale } from "../store.js";
 import { barMarkup, sign, symbolMarkup } from "./parts.js";
 
-const FIXES = 4;
+const FIXES = 2; // in sight; the others are folded
 
 function detailsMarkup({ why, formula, source, place, reason }) {
-  return html`<div class="check-more">${[reason, why, formula && symbolMarkup(formula), source, place].filter(Boolean).map((text) => html`<p>${text}</p>`)}</div>`;
+  return html`<details class="check-more"><summary>${message("checks.basis")}</summary>${[reason, why, formula && symbolMarkup(formula), source, place].filter(Boolean).map((text) => html`<p>${text}</p>`)}</details>`;
 }
 
 function missingMarkup(missing, fieldAt) {
@@ -45,6 +45,13 @@ function fixMarkup([{ applies, text, standard, then, level, effects }, i]) {
     : html`<span class="note">${text}</span>`}
     ${then && html`<span class="note">${sign(level)}${message("fixes.then", { verdict: then })}</span>`}
     ${effects.map((effect) => html`<span class="note">${sign(effect.level)}${effect.text}</span>`)}</li>`;
+}
+
+/** The best of them; more are folded. */
+function fixesMarkup(fixes) {
+  const more = fixes.slice(FIXES);
+  return html`<ul>${fixes.slice(0, FIXES)}</ul>${more.length > 0
+    && html`<details class="more"><summary>${message("form.more", { count: more.length })}</summary><ul>${more}</ul></details>`}`;
 }
 
 /**
@@ -91,7 +98,9 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
     fold(folds[1], "checks.more", all.filter((row) => !holds(row) && !isOpen(row)).map(once));
     const mended = isMended(calculator, shown.answer);
     for (const row of root.querySelectorAll(".check")) {
-      row.querySelector("details").open = opened.has(row.dataset.code) || (mended && row.dataset.code === governing);
+      const own = opened.has(row.dataset.code);
+      row.querySelector("details").open = own || (mended && row.dataset.code === governing);
+      row.querySelector(".check-more").open = own;
     }
   });
 
@@ -108,20 +117,23 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
       : why && html`<p class="note">${message(`fixes.${why}`)}</p>`;
     for (const row of root.querySelectorAll(".check")) {
       const { code } = row.dataset;
-      const own = list.map((fix, i) => [fix, i]).filter(([fix]) => fix.code === code || (code === governing && (fix.code === undefined || fix.steps))).slice(0, FIXES);
+      const own = list.map((fix, i) => [fix, i]).filter(([fix]) => fix.code === code || (code === governing && (fix.code === undefined || fix.steps)));
       const place = row.querySelector(".fixes");
       const says = open && code === governing && note;
       place.hidden = !(open && code === governing) && own.length === 0;
       fill(place, html`${!place.hidden && html`<h3>${message("fixes.title")}</h3>`}${says}
-        <ul>${own.map(([fix, i]) => fixMarkup([fixRow(fix, fieldAt, judged), i]))}</ul>`);
+        ${fixesMarkup(own.map(([fix, i]) => fixMarkup([fixRow(fix, fieldAt, judged), i])))}`);
     }
   });
 
   clicks(root, "fix", (i) => on.fixed(list[i].sets));
   clicks(root, "ask", (path) => on.asked(path));
   root.addEventListener("click", ({ target }) => {
-    const row = target.closest("summary")?.closest(".check");
-    if (row) opened[row.querySelector("details").open ? "delete" : "add"](row.dataset.code); // it turns after the click
+    const row = target.closest(".check > details > summary")?.closest(".check");
+    if (!row) return;
+    const open = !row.querySelector("details").open; // it turns after the click
+    opened[open ? "add" : "delete"](row.dataset.code);
+    row.querySelector(".check-more").open = open;
   });
 
   function lead(row, place) {
@@ -142,7 +154,7 @@ export function createChecks({ calculator, titles, fieldAt, askedAt, on }) {
     show(code = root.querySelector('.check[data-status="not_checked"]')?.dataset.code) {
       const row = root.querySelector(`[data-code="${code}"]`);
       if (!row) return;
-      row.querySelector("details").open = true;
+      for (const details of row.querySelectorAll(":scope > details, .check-more")) details.open = true;
       lead(row, row.querySelector("summary"));
     },
     update(state) {

@@ -214,6 +214,16 @@ def test_what_mends_is_looked_for_last_and_gives_way(page: Page, service: str) -
     expect(fixes.locator(".fix").first).to_be_visible()
     expect(fixes).not_to_contain_text("Looking")
     assert fixes.evaluate("(one) => one.offsetHeight") == height
+    best, more = fixes.locator("> ul > li"), fixes.locator(".more")
+    expect(best).to_have_count(2)
+    expect(more.locator("li").first).to_be_hidden()
+    more.locator("summary").click()
+    expect(more.locator("li").first).to_be_visible()
+    basis = page.locator(".check", has=page.locator(".fix")).first.locator(".check-more")
+    expect(basis.locator("p").first).to_be_hidden()  # as nobody has opened the row
+    basis.locator("summary").click()
+    expect(basis.locator("p").first).to_be_visible()
+    expect(fixes).to_be_visible()
     with page.expect_request(mends):
         load.fill("1600")
     given_way = len(ended)
