@@ -107,9 +107,9 @@ export function createProposals({ logic, client, titles, modelOf, on }) {
     search();
   });
   clicks(root, "at", async (at, card) => {
-    const { found, answer } = store.state.besides[ID];
+    const { found, answer, request } = store.state.besides[ID];
     const { design } = at === "nearest" ? answer.nearest : found[at];
-    const { answer: whole, superseded } = await busy(card.querySelector("button"), () => opening.ask(() => logic.placed(client, design)));
+    const { answer: whole, superseded } = await busy(card.querySelector("button"), () => opening.ask(() => logic.placed(client, design, JSON.parse(request))));
     if (!superseded) on.opened(whole);
   });
 

@@ -76,7 +76,7 @@ test("a design is opened whole: with the places that the service takes, and how 
   const assumed = [...Object.entries({ ...PLACES, "/build/gap_mm": 1.1 })].map(([pointer, value]) => ({ pointer, value }));
   const client = { post: async () => ({ assumed }) };
   const model = formModel(openapi, { ...calculator, path: "/api/v1/crank-planetary", words: ownWords });
-  const opened = readState(model, stateFromInput(model, calculator.inputOf(await placed(client, DESIGN))));
+  const opened = readState(model, stateFromInput(model, calculator.inputOf(await placed(client, DESIGN, { life_h: 5000 }))));
   assert.deepEqual(opened.wrong, []);
   const { pin, crankshaft, build, gear, bearing } = documentOf(opened.input);
   for (const [pointer, value] of Object.entries(PLACES)) {
@@ -86,5 +86,6 @@ test("a design is opened whole: with the places that the service takes, and how 
   assert.deepEqual([build, opened.input.besides.tolerances, bearing.name], [DESIGN.build, DESIGN.tolerances, "NU202E"]);
   assert.equal(gear.modification.equidistant_mm, 0.01);
   const lost = { post: () => Promise.reject(new Error("lost")) };
-  assert.equal(await placed(lost, DESIGN), DESIGN);
+  assert.deepEqual(await placed(lost, DESIGN, { life_h: 5000 }), DESIGN);
+  assert.deepEqual((await placed(lost, DESIGN, {})).requirements, { max_outer_diameter_mm: 80 }); // the life is assumed
 });

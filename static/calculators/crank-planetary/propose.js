@@ -52,8 +52,12 @@ export function nameOf({ mechanism, bearing, contact, gear }) {
 
 const PLACES = ["/pin/satellite_positions_mm", "/pin/span_mm", "/crankshaft/satellite_positions_mm", "/crankshaft/bearing_positions_mm"];
 
-/** A design with the places along its axes that the service takes from housing and carrier: the drawings need them. */
-export async function placed(client, design) {
+/**
+ * A design with the places along its axes that the service takes from housing and carrier: the drawings need them. A
+ * life that was not `asked` for is left to the service, which says that it assumes one.
+ */
+export async function placed(client, { requirements: { life_h: life, ...others }, ...found }, { life_h: asked }) {
+  const design = { ...found, requirements: asked === undefined ? others : { life_h: life, ...others } };
   const { assumed = [] } = await client.post("/crank-planetary", { ...design, include: ["checks"] }).catch(() => ({}));
   const places = assumed.filter(({ pointer }) => PLACES.includes(pointer)).map(({ pointer, value }) => [...pointer.slice(1).split("/"), value]);
   return places.reduce((whole, [part, name, value]) => ({ ...whole, [part]: { ...whole[part], [name]: value } }), design);
