@@ -168,3 +168,20 @@ def test_figures_of_extreme_sizes_need_no_inline_styles(page: Page, service: str
     tab(page, "shaft").click()
     ticks = page.locator('[data-figure="shaft"] .xtick text')
     expect(ticks.filter(has_text="e+").first).to_be_attached()
+
+
+def test_labels_of_the_drawing_stand_apart(page: Page, service: str) -> None:
+    show(page, service, "precession")
+    expect(page.locator(".mechanism .label").first).to_be_visible()
+    crossing = page.evaluate(
+        """() => {
+          const boxes = [...document.querySelectorAll(".mechanism .label")]
+            .map((one) => [one.textContent, one.getBoundingClientRect()]);
+          const apart = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) < 1
+            || Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) < 2;
+          const crossed = ([, a], i) =>
+            boxes.slice(i + 1).filter(([, b]) => !apart(a, b)).map(([text]) => text);
+          return boxes.flatMap((one, i) => crossed(one, i).map((other) => [one[0], other]));
+        }"""
+    )
+    assert crossing == []

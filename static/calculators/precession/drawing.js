@@ -79,7 +79,7 @@ function sectionView(input, roller, axis, x, scale) {
     ${[1, -1].map((side) => [bearing([x(l) + 6, axis], (stretches[0].diameter / 2) * scale, side), bearing([x(l + a), axis], (widest / 2) * scale, side)])}
     ${wall([x(end), axis], (widest / 2) * scale + 14, -1, MARKS)}
     ${input.shaft_sections && stretches.map(({ from, to, diameter }) => words([x((from + to) / 2), axis + 15], `⌀ ${mm(diameter)}`, { anchor: "middle" }))}
-    ${!input.shaft_sections && dimension([x(end) - 16, y(-widest / 2)], [x(end) - 16, y(widest / 2)], "d", { value: mm(widest), field: FIELD.d, beside: 6, rise: 12 })}
+    ${!input.shaft_sections && dimension([x(end) - 16, y(-widest / 2)], [x(end) - 16, y(widest / 2)], "d", { value: mm(widest), field: FIELD.d, beside: 6, rise: -9 })}
     ${[0, l, l + a, end].map((z) => extension(z, axis + (z === 0 ? 6 : (widest / 2) * scale), under + (z === l + a || z === end ? (crowded ? 28 : 4) : 28)))}
     ${between(l, l + a, under, "a", a, FIELD.a)}${between(l + a, end, crowded ? under + 24 : under, "b", b, FIELD.b)}
     ${between(0, l, under + 24, "l", l, FIELD.l)}
@@ -100,9 +100,9 @@ function stripView(axis, plane, input, section, curve, x, newton, factor) {
       const deflection = section[`deflection_${at}_mm`][name];
       const tip = [across, axis + force * newton];
       const side = deflection > 0 ? -1 : 1; // the label stands where the shape does not
-      const reach = Math.max(0, -side * force * newton) + (at === "C" ? 15 : 0);
+      const reach = Math.max(0, -side * force * newton) + (at === "C" ? 20 : 0);
       return html`<g data-reaction="${at}${name}" data-length="${Math.abs(force) * newton}">${Math.abs(force) * newton > 0.5 && arrow([across, axis], tip, "force series-1")}
-        ${label([across + 6, axis - side * reach + (side > 0 ? -7 : 17)], `−${at}_${name}`, { anchor: "start", value: formatQuantity(-force, "N") })}</g>
+        ${label([across + (at === "C" ? 6 : -6), axis - side * reach + (side > 0 ? -7 : 17)], `−${at}_${name}`, { anchor: at === "C" ? "start" : "end", value: formatQuantity(-force, "N") })}</g>
         ${circle([across, axis - deflection * factor], 2.5, "dot deflected-dot")}`;
     })}`;
 }
@@ -126,7 +126,7 @@ function endView(place, size, input, answer, newton) {
     ${lines.slice(0, MOST_ROLLERS).map((each) => circle(view.at(turned(each.position_angle_deg)), view.size(rho), "body", FIELD.rollers))}
     ${line(centre, view.at(turned(first)), "extent", FIELD.position)}
     <g class="angle" data-field="${FIELD.position}"><path class="arc" d="${arcPath(centre, size * 0.62, -first, 0)}"/>
-      ${label([place.x - Math.sin(half) * (size * 0.62 + 14), place.y - Math.cos(half) * (size * 0.62 + 14) + 4], "φ₁", { value: formatQuantity(lines[0].position_angle_deg, "°") })}</g>
+      ${label([place.x - Math.sin(half) * (size + 10), place.y - Math.cos(half) * (size + 10)], "φ₁", { anchor: "end", value: formatQuantity(lines[0].position_angle_deg, "°") })}</g>
     ${radius(centre, size, 142, "R_C", { of: RC, field: FIELD.RC, lead: 12 })}
     ${Object.entries(forces).map(([name, force], i) => {
       if (!force) return "";
