@@ -313,14 +313,13 @@ for (const event of ["resize", "scroll"]) {
 addEventListener("unhandledrejection", (event) => {
   if (!/module/i.test(event.reason?.message)) return;
   event.preventDefault();
-  tell(message("page.unloaded"));
-  clearTimeout(telling);
-  const again = element(html`<button type="button" class="link">${message("state.again")}</button>`);
-  again.addEventListener("click", () => {
+  document.querySelector(".unloaded")?.remove();
+  const notice = element(html`<p class="told unloaded" role="alert">${message("page.unloaded")} <button type="button" class="link">${message("state.again")}</button></p>`);
+  notice.lastElementChild.addEventListener("click", () => {
     addressing.now();
     location.reload();
   });
-  live.append(" ", again);
+  document.body.append(notice);
 });
 addEventListener("pagehide", () => bench?.close());
 addEventListener("pageshow", ({ persisted }) => persisted && rebuild()); // back from another page, as it was left

@@ -242,7 +242,7 @@ def test_a_part_that_does_not_load_is_said_and_the_page_is_loaded_anew(
     missing = ("views/large.js", "views/start.js", "views/explore.js", "views/real.js")
     for name in missing:
         page.route(f"**/{name}", lambda route: route.abort())
-    again = page.locator("#live.told").get_by_role("button", name="Try again")
+    again = page.locator(".unloaded").get_by_role("button", name="Try again")
     tries = (
         lambda: page.locator(".mechanism .enlarge").click(),
         lambda: page.get_by_role("button", name="New").click(),
@@ -250,10 +250,10 @@ def test_a_part_that_does_not_load_is_said_and_the_page_is_loaded_anew(
         lambda: page.locator('[data-path="real.on"] input').check(),
     )
     for attempt in tries:
-        page.evaluate("() => document.querySelector('#live').replaceChildren()")
+        page.evaluate("() => document.querySelector('.unloaded')?.remove()")
         attempt()
         expect(again).to_be_visible()
-        expect(page.locator("#live")).to_contain_text("could not be loaded")
+        expect(page.locator(".unloaded")).to_contain_text("could not be loaded")
     for name in missing:
         page.unroute(f"**/{name}")
     again.click()
