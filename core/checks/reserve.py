@@ -50,10 +50,10 @@ def crank_verdict(results: Results, *, largest: bool = False) -> Verdict:
     those that do at that torque are named.
     """
     found = _verdict(results, largest=largest)
-    if not (largest and found.torque_reserve and found.largest_torque_known):
+    warnings = [each for each in found.checks if each.warning and each.kind.loaded]
+    if not (warnings and largest and found.torque_reserve and found.largest_torque_known):
         return found
     there = results.under(found.torque_reserve)
-    warnings = (each for each in found.checks if each.warning and each.kind.loaded)
     looked = (crank_check(each.code, there) for each in warnings)
     warned = tuple(each.code for each in looked if each.warning and each.status == "marginal")
     return replace(found, uncounted=warned)
