@@ -161,9 +161,9 @@ LEAST_DAMP, LIGHT = 1e-3, 1e-2
 too small to have another effect."""
 
 REACH = 5e-6
-"""Longest first step, m; later steps grow up to `FURTHEST`, as do first ones if pins bend."""
+"""Longest first step, m, from a start that is near; later steps grow up to `FURTHEST`."""
 
-FURTHEST = 2e-4
+FURTHEST = 2.5e-4
 
 AHEAD = 1.0
 """Longest way between two positions, rad, over which displacements are extrapolated."""
@@ -970,10 +970,12 @@ def last_step(torque: float, near: bool, drive: Drive, work: Work) -> None:
                 w[i, FORCE] = max(w[i, FORCE] + w[i, STIFF] * x, 0.0)
 
 
-def solve(torque: float, drive: Drive, work: Work) -> int:
-    """Solve the equilibrium near q and b in place; return the steps taken, negative on failure."""
+def solve(torque: float, reach: float, drive: Drive, work: Work) -> int:
+    """Solve the equilibrium near q and b in place by a first step up to ``reach``, m; return the
+    steps taken, negative on failure.
+    """
     gone = damp = slope = step = part = roamed = 0.0  # part: of the step that contacts follow
-    cap, cuts = REACH if len(work.b) == 0 else FURTHEST, 0
+    cap, cuts = reach, 0
     for count in range(1, STEPS_MOST):
         if part == 0 and roamed > ROAM:
             roamed = 0.0
@@ -1426,7 +1428,7 @@ def adrift(
         straighten(work)
         for part in NEXT_TO_NONE:
             force = pushing(part * wide, drive, work)
-            solve(side * force * drive.gf[0, CIRCLE], drive, work)
+            solve(side * force * drive.gf[0, CIRCLE], REACH, drive, work)
         for i in range(len(work.w)):
             most = max(most, work.w[i, FORCE])
         if side > 0:
@@ -1724,9 +1726,10 @@ def position(
     """
     place(phi, drive, work)
     way, q, kept = math.copysign(1.0, torque), work.q, work.kept
+    straight = warm and far and len(work.b) > 0
     row[STATUS] = SOLVED
     for again in range(2):
-        if play or not warm or (far and len(work.b) > 0):
+        if play or not warm or straight:
             take(q, kept)
             take_bends(work.b, work.bends)
             straighten(work)
@@ -1736,14 +1739,14 @@ def position(
             take(q, work.first)
             if warm:
                 take(kept, q)
-                if not far:
+                if not straight:
                     take_bends(work.bends, work.b)
             if row[STATUS] != SOLVED:
                 return NO_DRIVE
-        count = solve(torque, drive, work)
+        count = solve(torque, FURTHEST if straight else REACH, drive, work)
         if count > 0:
             break
-        warm = False
+        warm = straight = False
     row[STEPS], row[LAG] = abs(count), way * lag_of(drive, q)
     row[STIFFNESS] = stiffness(drive, work)
     status = judged(count, drive, work, row)

@@ -174,7 +174,7 @@ def test_discs_that_float_on_joined_pins_rest_where_energy_is_least(seed: int) -
     work.q[:] = np.random.default_rng(seed).normal(0, 1e-5, len(work.q))
     plain.place(ANGLE, drive, work)
     plain.straighten(work)
-    assert plain.solve(TORQUE, drive, work) > 0
+    assert plain.solve(TORQUE, engine.REACH, drive, work) > 0
     rest = np.concatenate([work.q, work.b.ravel()])
     length = np.sqrt([*drive.weight, *[1.0] * work.b.size])
     assert (work.w[:, engine.FORCE] > 0).sum() >= DISCS * 2

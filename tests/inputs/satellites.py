@@ -17,3 +17,4 @@ mechanisms = st.builds(
     degrees=st.lists(st.integers(0, 359), min_size=1, max_size=3),
     start=st.integers(0, 359),
 )
+exponents = st.sampled_from([0.0, 0.5, 1.0, 10 / 9, 1.5, 6.0])
