@@ -60,7 +60,7 @@ class LossResults:
         if not gear or gear.friction_coefficient is None:
             return output
         lost, power = self.ring.loss.mean_loss, self.output.member_loads.output_power
-        return 1 / (1 / output + lost / power) if lost else output
+        return output / (1 + output * lost / power)
 
     @property
     def input_torque(self) -> float | None:

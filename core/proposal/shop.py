@@ -98,9 +98,5 @@ def bought(*, widest: float, most: float) -> tuple[NamedBearing, ...]:
     rating = np.array([each.dynamic_rating for each in fitting])
     as_small = (size[:, None] <= size).all(axis=2)
     better = as_small & (rating[:, None] > rating)  # the first of each pair than the second
-    best = [
-        each
-        for each, worse in zip(fitting, np.any(better, axis=0).tolist(), strict=True)
-        if not worse
-    ]
+    best = [fitting[index] for index in np.flatnonzero(~better.any(axis=0))]
     return tuple(sorted(best, key=lambda each: each.dynamic_rating))

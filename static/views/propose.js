@@ -104,6 +104,7 @@ export function createProposals({ logic, client, titles, modelOf, on }) {
 
   clicks(root, "process", (code) => {
     change(next.typedIn, "process", code);
+    form.focus("process"); // the button goes
     search();
   });
   clicks(root, "at", async (at, card) => {

@@ -225,9 +225,11 @@ def test_another_way_to_make_it_is_searched_by_one_click(page: Page, service: st
     unfolded(page)
     filled(page, {"torque_Nm": 500.0, "ratio": 20, "outer_diameter_mm": 180.0})
     page.get_by_role("button", name="Search").click()
-    page.locator(".propose .none").get_by_role("button", name="Ground").click()
+    page.locator(".propose .none").get_by_role("button", name="Ground").press("Enter")
     expect(page.locator(".proposals .word").first).to_contain_text("Just works")
-    expect(page.locator('.propose [data-path="process"] .box')).to_have_value("ground")
+    process = page.locator('.propose [data-path="process"] .box')
+    expect(process).to_have_value("ground")
+    expect(process).to_be_focused()
 
 
 def test_what_is_refused_stands_at_its_field_and_a_search_is_cancelled(

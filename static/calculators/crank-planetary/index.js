@@ -114,14 +114,14 @@ function pressureCell(section, { requirements }) {
 }
 
 /** The torque that the input needs with the losses that are known, beside the one typed there; without them that one. */
-function inputCells({ output_efficiency: losses }, { load = {}, besides = {} }) {
+function inputCells({ output_efficiency: losses }, { load = {} }) {
   const { input_torque_Nm: typed, efficiency } = load;
   const label = message("verdict.input");
   const typedText = () => formatQuantity(typed, "N·m");
   if (losses?.input_torque_Nm === undefined) {
     return typed === undefined ? [] : [{ label, value: typedText(), note: message("verdict.inputTyped", { efficiency: formatNumber(efficiency, 3) }) }];
   }
-  const teeth = besides.gear?.friction_coefficient !== undefined;
+  const teeth = losses.total_efficiency !== losses.efficiency;
   const more = losses.input_torque_Nm > 1.01 * typed;
   const note = message(teeth ? "verdict.inputOf" : "verdict.inputOfPins", { efficiency: formatNumber(losses.total_efficiency, 3) });
   return [{
