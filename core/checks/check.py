@@ -486,12 +486,11 @@ def governs(checks: Iterable[Check]) -> str | None:
     condition that is only necessary counts by what it uses of its limit.
     """
 
-    def place(check: Check) -> tuple[float, ...]:
-        near = check.reserve < MARGIN
-        return rank(check._replace(status="marginal" if near else "pass") if held(check) else check)
-
     def held(check: Check) -> bool:
         return check.only_needed and check.utilisation is not None
+
+    def place(check: Check) -> tuple[float, ...]:
+        return rank(check._replace(status="pass") if held(check) else check)
 
     known = [each for each in checks if held(each) or each.status in ("fail", "marginal", "pass")]
     return min(known, key=place).code if known else None
